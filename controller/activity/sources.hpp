@@ -29,7 +29,7 @@ struct Sources {
         stream{robot, events},
         homing{robot, logic, events} {
     if (belt == nullptr || encoder == nullptr) return;
-    conveyor.emplace(robot, arm, flange_T_tool, *belt, *encoder, channel.part_store, events);
+    conveyor.emplace(robot, arm, flange_T_tool, *belt, *encoder, channel, events);
   }
 
   // By ActivityId; null without a conveyor.

@@ -87,15 +87,20 @@ struct PoseMove {
 
 // Moves the tool along a line, an arc, a circle, a helix or a spline. Such moves form a chain while the tool need not
 // stop between them: where a move has a blend radius, so that the corner may be rounded, and where the next one
-// continues in the same direction. With a blend radius they lead into a joint move, too, which is one plan with the
-// path (MotionPlan), unless a move of the plan has outputs or the chain has more moves than MotionPlan::kMaxMoves. A
-// chain has any number of moves; the next move must be submitted before the arm brakes at the end of the last one.
-// Splines, a joint move and outputs whose place is not on their own move must be among the first
-// CartesianPlan::kMaxFirstSegments moves, at most kMaxSplines and at most TimedOutputs::kMax of them, and submitted
-// before the planning of these has ended. Later, nothing follows such outputs without a stop, and no S-curve follows a
-// chain of trapezoids without one. If a move is refused, so are those moves of its chain that are not planned yet. The
-// arm makes an exact stop if the next move comes too late, is of another kind or was refused. A path cannot change the
-// configuration of the arm, so it is refused if its end has another one than requested.
+// continues in the same direction. With a blend radius they also lead into a joint move, in one plan with the path.
+//
+//   demanded of a chain                                              otherwise
+//   the next move comes before the arm brakes at the end of the last an exact stop
+//   every move is accepted                                           those of the chain that are not planned are refused
+//   the end of a path has the configuration of its start             the move is refused
+//   splines: at most kMaxSplines, among the first moves (1)          a stop before them
+//   a joint move: among the first moves, no outputs in the plan, at  a stop before it
+//     most Plan::kMaxMoves moves
+//   outputs at places on other moves: at most TimedOutputs::kMax,    a stop before them; always one behind them
+//     among the first moves
+//   S-curves follow S-curves, trapezoids trapezoids                  a stop between them
+//
+// (1) The first CartesianPlan::kMaxFirstSegments moves, if they come before their planning has ended.
 struct CartesianMove {
   // kSteady: from the orientation at the start to that of the target, about one axis. Five joints: see
   // five_axis_turning.hpp. kFixed: keeps the orientation. kTangent: turns with the tangent of the path. Both need a

@@ -12,7 +12,7 @@ ConveyorActivity::ConveyorActivity(const RobotModel& robot, const Arm& arm, cons
       plans_{plans},
       path_{plans.path()},
       events_{events},
-      part_{robot, arm, config, channel} {
+      part_{robot, arm, config, plans.outbox(), channel.part_store} {
   if (config.conveyor) frames_.back() = part_.base_T_part();
 }
 
@@ -23,7 +23,7 @@ std::optional<MoveRefused> ConveyorActivity::accept(const ConveyorPart& part) no
 
 bool ConveyorActivity::work(RegisterBus& bus) noexcept {
   using Progress = PathStage::Progress;
-  if (path_.planner().progress() == Progress::kIdle && !plans_.have_room()) return false;
+  if (path_.planner().progress() == Progress::kIdle && !plans_.outbox().has_room()) return false;
   if (path_.start_planning(bus)) part_.restart_check();
   switch (path_.planner().progress()) {
     case Progress::kIdle:

@@ -11,12 +11,13 @@
 namespace armature {
 
 ConveyorSource::ConveyorSource(const RobotModel& robot, const Arm& arm, const Transform& flange_T_tool,
-                               const ConveyorConfig& config, BeltEncoder& encoder, PartStore& store,
+                               const ConveyorConfig& config, BeltEncoder& encoder, Channel& channel,
                                EventListener& events) noexcept
     : robot_{robot},
       config_{config},
       encoder_{encoder},
-      store_{store},
+      store_{channel.part_store},
+      plan_store_{channel.plan_store},
       events_{events},
       belt_{config.mm_per_count, kTicksToEmit * kTickSeconds + config.lead_s},
       motion_{robot, arm, config, flange_T_tool, 1.0},
@@ -66,7 +67,7 @@ SetPoint& ConveyorSource::advance(Ticks tick, const RunControl::View&) noexcept 
     if (const ConveyorRequest* next = store_.request.front()) {
       request_ = next;
       progress_.begin();
-      if (const CartesianPlan* path = next->plan.path()) {
+      if (const CartesianPlan* path = next->plan.only_path()) {
         motion_.start(*path, next->planned_mm);
       } else {
         motion_.start_dwell(duration(next->plan));
@@ -96,7 +97,7 @@ void ConveyorSource::accept_orders(Ticks tick) noexcept {
 void ConveyorSource::follow_part(Ticks tick, double displacement_mm) noexcept {
   phase_ = Phase::kFollowing;
   motion_.begin(set_point_.position, request_->planned_mm);
-  motion_.start(*request_->plan.path(), request_->planned_mm);
+  motion_.start(*request_->plan.only_path(), request_->planned_mm);
   result_.displacement_mm = displacement_mm;
   report(PartPhase::kBegun, tick);
 }
@@ -131,7 +132,7 @@ void ConveyorSource::report_progress(Ticks tick) noexcept {
   const auto elapsed = static_cast<double>(motion_.elapsed().value());
   progress_.advance(request_->plan, elapsed, motion_.path_done(), tick, [this](MoveStarted& event) {
     const Eigen::Vector3d shift = request_->planned_mm * config_.direction;
-    event.on_conveyor = request_->plan.path() != nullptr;
+    event.on_conveyor = request_->plan.only_path() != nullptr;
     event.path.start_mm -= shift;
     event.path.end_mm -= shift;
     event.path.center_mm -= shift;
@@ -140,6 +141,7 @@ void ConveyorSource::report_progress(Ticks tick) noexcept {
 
 void ConveyorSource::end_request() noexcept {
   request_done_ = false;
+  plan_store_.release(request_->plan.stores());
   request_ = nullptr;
   store_.request.drop_front();
   store_.over.fetch_add(1, std::memory_order_release);

@@ -12,6 +12,7 @@
 #include <cstdint>
 
 #include "controller/activity/activity_source.hpp"
+#include "controller/activity/channel.hpp"
 #include "controller/activity/conveyor/conveyor_belt.hpp"
 #include "controller/activity/conveyor/conveyor_motion.hpp"
 #include "controller/activity/conveyor/part_store.hpp"
@@ -29,7 +30,7 @@ class ConveyorSource final : public ActivitySource {
  public:
   // References must outlive the source.
   ConveyorSource(const RobotModel& robot, const Arm& arm, const Transform& flange_T_tool, const ConveyorConfig& config,
-                 BeltEncoder& encoder, PartStore& store, EventListener& events) noexcept;
+                 BeltEncoder& encoder, Channel& channel, EventListener& events) noexcept;
   ConveyorSource(const ConveyorSource&) = delete;
   ConveyorSource& operator=(const ConveyorSource&) = delete;
 
@@ -64,6 +65,7 @@ class ConveyorSource final : public ActivitySource {
   const ConveyorConfig& config_;
   BeltEncoder& encoder_;
   PartStore& store_;
+  PlanStore& plan_store_;
   EventListener& events_;
   ConveyorBelt belt_;
   ConveyorMotion motion_;

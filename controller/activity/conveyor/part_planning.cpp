@@ -23,11 +23,12 @@ constexpr int kPasses = 2;
 
 }  // namespace
 
-PartPlanning::PartPlanning(const RobotModel& robot, const Arm& arm, const PlanningConfig& config,
-                           Channel& channel) noexcept
+PartPlanning::PartPlanning(const RobotModel& robot, const Arm& arm, const PlanningConfig& config, PlanOutbox& outbox,
+                           PartStore& store) noexcept
     : arm_{arm},
       conveyor_{config.conveyor.value_or(ConveyorConfig{})},
-      channel_{channel},
+      outbox_{outbox},
+      store_{store},
       motion_{robot, arm, conveyor_, config.flange_T_tool, kLimitShare} {}
 
 void PartPlanning::add(const ConveyorPart& part) noexcept {
@@ -147,7 +148,7 @@ bool PartPlanning::send(const CartesianPlan& plan) noexcept {
   if (first_) parts_.drop_front();
   assert(plan.count <= CartesianPlan::kMaxFirstSegments);
   ConveyorRequest& request = next_request();
-  request.plan = plan;
+  request.plan = outbox_.store(plan);
   request.planned_mm = planned_mm_;
   request.first = first_;
   request.part_mm = part_.at_mm;
@@ -157,26 +158,25 @@ bool PartPlanning::send(const CartesianPlan& plan) noexcept {
   return first_;
 }
 
-// In its place in the store: a plan has no room on the stack.
 ConveyorRequest& PartPlanning::next_request() noexcept {
-  assert(!channel_.part_store.request.full());  // the request before is over
-  return channel_.part_store.request.free_slot();
+  assert(!store_.request.full());  // the request before is over
+  return store_.request.free_slot();
 }
 
 void PartPlanning::send_request() noexcept {
-  channel_.part_store.request.push_slot();
+  store_.request.push_slot();
   ++sent_;
 }
 
 void PartPlanning::send_dwell(const JointPlan& dwell) noexcept {
   ConveyorRequest& request = next_request();
-  request.plan = dwell;
+  request.plan = outbox_.store(dwell);
   request.first = false;
   send_request();
 }
 
 bool PartPlanning::done() const noexcept {
-  return channel_.part_store.over.load(std::memory_order_acquire) == sent_;
+  return store_.over.load(std::memory_order_acquire) == sent_;
 }
 
 void PartPlanning::ended() noexcept {
@@ -194,11 +194,11 @@ Transform PartPlanning::at(double displacement_mm) const noexcept {
 }
 
 double PartPlanning::belt_mm() const noexcept {
-  return channel_.part_store.belt_mm.load(std::memory_order_relaxed);
+  return store_.belt_mm.load(std::memory_order_relaxed);
 }
 
 double PartPlanning::belt_mm_s() const noexcept {
-  return channel_.part_store.belt_mm_s.load(std::memory_order_relaxed);
+  return store_.belt_mm_s.load(std::memory_order_relaxed);
 }
 
 // With the acceleration of the frame, in the direction of the speed.

@@ -11,8 +11,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "controller/activity/channel.hpp"
 #include "controller/activity/conveyor/conveyor_motion.hpp"
+#include "controller/activity/conveyor/part_store.hpp"
+#include "controller/activity/plans/plan_outbox.hpp"
 #include "controller/base/axes.hpp"
 #include "controller/base/spsc_queue.hpp"
 #include "controller/base/units.hpp"
@@ -36,7 +37,8 @@ class PartPlanning {
 
   // References must outlive the object. Without `config.conveyor` no function is used but
   // waits_for_time() and take_inverses().
-  PartPlanning(const RobotModel& robot, const Arm& arm, const PlanningConfig& config, Channel& channel) noexcept;
+  PartPlanning(const RobotModel& robot, const Arm& arm, const PlanningConfig& config, PlanOutbox& outbox,
+               PartStore& store) noexcept;
 
   void add(const ConveyorPart& part) noexcept;
 
@@ -92,7 +94,8 @@ class PartPlanning {
 
   const Arm& arm_;
   ConveyorConfig conveyor_;
-  Channel& channel_;
+  PlanOutbox& outbox_;
+  PartStore& store_;
   SpscQueue<Part, kParts> parts_;
   std::uint32_t parts_seen_ = 0;
   bool approaching_ = false;

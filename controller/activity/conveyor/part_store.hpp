@@ -7,15 +7,14 @@
 
 #include "controller/base/spsc_slot.hpp"
 #include "controller/trajectory/plan/cartesian_plan.hpp"
-#include "controller/trajectory/plan/motion_plan.hpp"
+#include "controller/trajectory/plan/plan.hpp"
 
 namespace armature {
 
 // A path of at most CartesianPlan::kMaxFirstSegments segments that core 0 executes in the frame of a part, or a dwell
-// there: 514 KB, nearly all for the plan. The first one is a path. It begins to follow the part when the displacement
-// of the part has reached begin_mm.
+// there. The first one is a path. It begins to follow the part when the displacement of the part has reached begin_mm.
 struct ConveyorRequest {
-  MotionPlan plan{};        // of a path, or a joint plan that is a dwell
+  Plan plan{};              // a path, or a joint move that is a dwell, in PlanStore::pieces
   double planned_mm = 0.0;  // of a path: displacement of the frame for which it was planned
   bool first = false;
   // Of the first one.
@@ -32,8 +31,7 @@ struct PartStore {
   // Of the present request and one that was over before core 1 read its events.
   static constexpr std::size_t kMoves = 2 * CartesianPlan::kMaxFirstSegments;
 
-  // Core 1 -> core 0: the content of a Request, which has no room for a plan. Each one is sent when the one before is
-  // over, so there is room for one.
+  // Core 1 -> core 0: the content of a Request. Each one is sent when the one before is over, so there is room for one.
   SpscSlot<ConveyorRequest> request;
   // Core 0 -> core 1, with an event: number of requests that are over, since the start; wraps.
   std::atomic<std::uint32_t> over{0};

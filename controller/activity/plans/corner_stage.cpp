@@ -27,19 +27,19 @@ void CornerStage::work(RegisterBus& bus) noexcept {
 }
 
 std::size_t CornerStage::moves() const noexcept {
-  return moves_in(outbox_.joined()) + joints_.count() + path_.requests().requests().size();
+  return moves_in(outbox_.unsent()) + joints_.count() + path_.requests().requests().size();
 }
 
 bool CornerStage::joint_move_follows() const noexcept {
   const auto* joint = queue_.next_if<JointMove>();
   const auto* pose = queue_.next_if<PoseMove>();
   const bool joins = joint != nullptr ? joint->outputs.count == 0 : pose != nullptr && pose->outputs.count == 0;
-  return joins && moves() < MotionPlan::kMaxMoves;
+  return joins && moves() < Plan::kMaxMoves;
 }
 
 bool CornerStage::can_join_path() const noexcept {
   const CartesianPlan& plan = path_.planner().plan();
-  const bool is_whole = plan.count == path_.requests().requests().size() && moves() <= MotionPlan::kMaxMoves;
+  const bool is_whole = plan.count == path_.requests().requests().size() && moves() <= Plan::kMaxMoves;
   if (!is_whole || !plan.outputs.view().empty()) return false;
   const bool leads_on = path_.requests().last_blend_mm() > 0.0;
   if (leads_on && queue_.empty()) return false;  // a window may continue it with a move that is not there yet
@@ -65,7 +65,7 @@ void CornerStage::add(const JointMove& move, RegisterBus& bus, double residual_r
 }
 
 void CornerStage::end_adding(const JointMove& move, double residual_rad) noexcept {
-  joints_.add(move, residual_rad, move.blend.wanted() && moves() < MotionPlan::kMaxMoves);
+  joints_.add(move, residual_rad, move.blend.wanted() && moves() < Plan::kMaxMoves);
   queue_.drop_front();
 }
 
@@ -81,7 +81,7 @@ void CornerStage::close() noexcept {
 
 // From the last path of the joined plan to the front of the queue.
 void CornerStage::begin_departure(const JointMove& move, double residual_rad) noexcept {
-  const MotionPlan::Part path = last_part();
+  const Piece& path = outbox_.unsent().last();
   departing_ = move;
   departing_residual_rad_ = residual_rad;
   departure_.emplace(
@@ -94,8 +94,9 @@ void CornerStage::end_departure() noexcept {
   departure_.reset();
   if (departure.plan.duration > kLongestMove) return refuse_front(Refusal::kInvalidTarget);
   joints_.begin(departure);
-  path_left_ = departure.at < last_part().until;
-  outbox_.joined().cut_last(departure.at);
+  Ticks& until = outbox_.unsent().last().until;
+  path_left_ = departure.at < until;
+  until = departure.at;
   end_adding(departing_, departing_residual_rad_);
 }
 
@@ -110,7 +111,7 @@ void CornerStage::begin_arrival() noexcept {
                          .half_way_rad = 0.5 * largest_difference(joints_.start_of_last(), path.start),
                          .blend_before_rad = joints_.blend_before_last_rad()};
   if (joints_.count() == 1 && path_left_) {
-    const MotionPlan::Part before = last_part();
+    const Piece& before = outbox_.unsent().last();
     request.before = PathBefore{before.path, before.from, path_blend_mm_};
     request.exit_at = before.until;
   }
@@ -119,8 +120,9 @@ void CornerStage::begin_arrival() noexcept {
 
 void CornerStage::end_arrival() noexcept {
   if (joints_.count() == 1 && path_left_) {
-    outbox_.joined().cut_last(arrival_->exit_at());
-    path_left_ = arrival_->exit_at() < last_part().path->duration;
+    Piece& before = outbox_.unsent().last();
+    before.until = arrival_->exit_at();
+    path_left_ = before.until < before.path->duration;
   }
   const Ticks from = arrival_->at();
   arrival_.reset();
@@ -139,18 +141,16 @@ void CornerStage::add_path(Ticks from) noexcept {
 void CornerStage::send_joints() noexcept {
   if (!joining()) return joints_.send();
   outbox_.join(joints_.chain(), Ticks{}, path_left_);
-  outbox_.send_joined();
+  outbox_.send_unsent();
   joints_.clear();
 }
 
 void CornerStage::drop(Refusal why) noexcept {
   departure_.reset();
   arrival_.reset();
-  MotionPlan& joined = outbox_.joined();
-  for (std::size_t move = 0; move < moves_in(joined); ++move) {
-    events_.on_event(MoveRefused{.reason = why, .tag = tag_of(joined, move)});
-  }
-  joined.begin_joined();
+  Plan& joined = outbox_.unsent();
+  for (std::size_t move = 0; move < moves_in(joined); ++move) events_.on_event(dropped(joined, move, why));
+  joined = {};
 }
 
 }  // namespace armature

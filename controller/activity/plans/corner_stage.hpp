@@ -1,8 +1,8 @@
 // Joins paths and joint moves into one plan, where the first move of both has a blend: in either order, the arm leaves
 // a path for a joint move without a stop, and ends a joint move on a path.
 //
-// What is planned waits in PlanOutbox::joined() until the other one is planned, too. A chain of paths is joined only if
-// the plan then has at most MotionPlan::kMaxMoves moves, so a window never is. Corners are searched in steps, between
+// What is planned waits in PlanOutbox::unsent() until the other one is planned, too. A chain of paths is joined only if
+// the plan then has at most Plan::kMaxMoves moves, so a window never is. Corners are searched in steps, between
 // which commands are accepted.
 #pragma once
 
@@ -36,18 +36,16 @@ class CornerStage {
   // Moves that are not sent yet and are, or may be, in one plan.
   [[nodiscard]] std::size_t moves() const noexcept;
   // A plan is being joined.
-  [[nodiscard]] bool joining() const noexcept { return outbox_.joined().parts() > 0; }
+  [[nodiscard]] bool joining() const noexcept { return outbox_.unsent().count > 0; }
   // The front of the queue is a joint move that can join what is planned.
   [[nodiscard]] bool joint_move_follows() const noexcept;
   // The joined plan ends with a path that leads to this move.
   [[nodiscard]] bool path_leads_on() const noexcept {
-    return path_blend_mm_ > 0.0 && outbox_.joined().parts() < MotionPlan::kMaxParts && joint_move_follows();
+    return path_blend_mm_ > 0.0 && outbox_.unsent().count < Plan::kMaxPieces && joint_move_follows();
   }
-  // A path may become a further part of the joined plan, behind the joint moves.
-  [[nodiscard]] bool may_join_another_path() const noexcept {
-    return outbox_.joined().parts() + 1 < MotionPlan::kMaxParts;
-  }
-  // The planner has a path that becomes a part of a joined plan.
+  // A path may become a further piece of the joined plan, behind the joint moves.
+  [[nodiscard]] bool may_join_another_path() const noexcept { return outbox_.unsent().count + 1 < Plan::kMaxPieces; }
+  // The planner has a path that becomes a piece of a joined plan.
   [[nodiscard]] bool can_join_path() const noexcept;
   void join_path() noexcept;
 
@@ -57,10 +55,8 @@ class CornerStage {
   void refuse_front(Refusal why) noexcept;
   void close() noexcept;
 
-  // Entries of the queue of core 0 that the joint moves need, with what they join.
-  [[nodiscard]] std::size_t entries() const noexcept {
-    return outbox_.joined().parts() + 1 == MotionPlan::kMaxParts ? 2 : 1;
-  }
+  // PieceStores that the joint moves need, with what they join.
+  [[nodiscard]] std::size_t stores() const noexcept { return (outbox_.unsent().count + 2) / 2; }
   // Sends the joint moves, with what they join.
   void send_joints() noexcept;
 
@@ -74,9 +70,6 @@ class CornerStage {
   void end_arrival() noexcept;
   void end_adding(const JointMove& move, double residual_rad) noexcept;
   void add_path(Ticks from) noexcept;
-  [[nodiscard]] MotionPlan::Part last_part() const noexcept {
-    return outbox_.joined().part(outbox_.joined().parts() - 1);
-  }
 
   const RobotModel& robot_;
   const Arm& arm_;

@@ -19,11 +19,9 @@ MoveKind kind_of(PositionPath::Shape shape) {
   return MoveKind::kLine;
 }
 
-MoveStarted started(const JointPlan& plan) {
-  MoveStarted event{.kind = plan.is_dwell ? MoveKind::kDwell : MoveKind::kJoint,
-                    .tag = plan.tag,
-                    .duration = plan.duration,
-                    .residual_rad = plan.residual_rad};
+MoveStarted started(const JointPlan& plan, std::size_t) {
+  MoveStarted event{
+      .kind = plan.is_dwell ? MoveKind::kDwell : MoveKind::kJoint, .tag = plan.tag, .residual_rad = plan.residual_rad};
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     event.shape[axis] = plan.profiles[axis].shape();
     event.peak_speed_rad_s[axis] = plan.profiles[axis].peak_speed();
@@ -34,10 +32,7 @@ MoveStarted started(const JointPlan& plan) {
 
 MoveStarted started(const JointChain& chain, std::size_t index) {
   const RetargetPlan& plan = chain.moves[index];
-  MoveStarted event{.kind = MoveKind::kJoint,
-                    .tag = plan.tag,
-                    .duration = chain.end_of(index) - chain.starts[index],
-                    .residual_rad = plan.residual_rad};
+  MoveStarted event{.kind = MoveKind::kJoint, .tag = plan.tag, .residual_rad = plan.residual_rad};
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const PhaseLaw& law = plan.laws[axis];
     if (law.duration_s() == 0.0) continue;
@@ -53,7 +48,6 @@ MoveStarted started(const CartesianPlan& plan, std::size_t index) {
   const CartesianSegment& segment = plan.segments[index];
   MoveStarted event{.kind = kind_of(segment.path.shape),
                     .tag = segment.tag,
-                    .duration = segment.duration,
                     .path = segment.path,
                     .stretch = segment.stretch,
                     .stretched_for = segment.stretched_for,
@@ -68,42 +62,34 @@ MoveStarted started(const CartesianPlan& plan, std::size_t index) {
   return event;
 }
 
-MoveStarted started(const PartMove& move) {
-  const MotionPlan::Part& part = move.part;
-  MoveStarted event = part.path != nullptr ? started(*part.path, move.move) : started(*part.chain, move.move);
-  if (move.move == 0) event.continues = part.in_motion;
-  return event;
+Tag tag_of(const JointPlan& plan, std::size_t) {
+  return plan.tag;
 }
-
-Tag tag_of(const PartMove& move) {
-  return move.part.path != nullptr ? move.part.path->segments[move.move].tag : move.part.chain->moves[move.move].tag;
+Tag tag_of(const JointChain& chain, std::size_t index) {
+  return chain.moves[index].tag;
+}
+Tag tag_of(const CartesianPlan& plan, std::size_t index) {
+  return plan.segments[index].tag;
 }
 
 }  // namespace
 
-Tag tag_of(const MotionPlan& plan, std::size_t index) noexcept {
-  if (const CartesianPlan* path = plan.path()) return path->segments[index].tag;
-  if (const JointChain* chain = plan.joint_chain()) return chain->moves[index].tag;
-  if (plan.is_joined()) return tag_of(part_move(plan, index));
-  return plan.joint()->tag;
+Tag tag_of(const Plan& plan, std::size_t index) noexcept {
+  const Piece& piece = plan.piece_with(index);
+  return piece.visit([&](const auto& whole) { return tag_of(whole, index - piece.first_move); });
 }
 
-MoveStarted started(const MotionPlan& plan, std::size_t index, Ticks start) noexcept {
-  const CartesianPlan* path = plan.path();
-  const JointChain* chain = plan.joint_chain();
-  MoveStarted event = path != nullptr    ? started(*path, index)
-                      : chain != nullptr ? started(*chain, index)
-                      : plan.is_joined() ? started(part_move(plan, index))
-                                         : started(*plan.joint());
-  if (plan.is_joined()) {
-    const MoveSpan span = span_of(plan, index);
-    event.duration = span.end - span.start;
-  }
+MoveStarted started(const Plan& plan, std::size_t index, Ticks start) noexcept {
+  const Piece& piece = plan.piece_with(index);
+  MoveStarted event = piece.visit([&](const auto& whole) { return started(whole, index - piece.first_move); });
+  if (index == piece.first_move) event.continues = piece.in_motion;
+  const MoveSpan span = span_of(plan, index);
+  event.duration = span.end - span.start;
   event.start_tick = start;
   return event;
 }
 
-MoveRefused dropped(const MotionPlan& plan, std::size_t index, Refusal reason) noexcept {
+MoveRefused dropped(const Plan& plan, std::size_t index, Refusal reason) noexcept {
   return {.reason = reason, .tag = tag_of(plan, index)};
 }
 

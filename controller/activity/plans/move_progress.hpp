@@ -10,7 +10,7 @@
 #include "controller/activity/plans/move_events.hpp"
 #include "controller/base/units.hpp"
 #include "controller/message/event.hpp"
-#include "controller/trajectory/plan/motion_plan.hpp"
+#include "controller/trajectory/plan/plan.hpp"
 
 namespace armature {
 
@@ -27,7 +27,7 @@ class MoveProgress {
   // Reports the moves that have started or finished when `elapsed` ticks of the plan are over; all of them, if it has
   // `ended`. `adjust(MoveStarted&)` may change the event of a start.
   template <typename Adjust>
-  void advance(const MotionPlan& plan, double elapsed, bool ended, Ticks tick, Adjust adjust) noexcept {
+  void advance(const Plan& plan, double elapsed, bool ended, Ticks tick, Adjust adjust) noexcept {
     for (const std::size_t moves = moves_in(plan); begun_ < moves; ++begun_) {
       if (!ended && !(static_cast<double>(span_of(plan, begun_).start.value()) < elapsed)) break;
       started_at_[begun_] = tick;
@@ -37,18 +37,18 @@ class MoveProgress {
     }
     finish_until(plan, elapsed, ended, tick);
   }
-  void advance(const MotionPlan& plan, double elapsed, bool ended, Ticks tick) noexcept {
+  void advance(const Plan& plan, double elapsed, bool ended, Ticks tick) noexcept {
     advance(plan, elapsed, ended, tick, [](MoveStarted&) {});
   }
 
   // Reports the moves that are under way as cut short.
-  void cut_short(const MotionPlan& plan, Ticks tick) noexcept;
+  void cut_short(const Plan& plan, Ticks tick) noexcept;
   // The same, and reports the moves that have not started as refused for `reason`.
-  void drop(const MotionPlan& plan, Ticks tick, Refusal reason) noexcept;
+  void drop(const Plan& plan, Ticks tick, Refusal reason) noexcept;
 
  private:
-  void finish_until(const MotionPlan& plan, double elapsed, bool ended, Ticks tick) noexcept;
-  void finish_next(const MotionPlan& plan, MoveFinished::How how, Ticks tick, Ticks taken) noexcept;
+  void finish_until(const Plan& plan, double elapsed, bool ended, Ticks tick) noexcept;
+  void finish_next(const Plan& plan, MoveFinished::How how, Ticks tick, Ticks taken) noexcept;
 
   EventListener& events_;
   std::size_t begun_ = 0;     // moves that have been reported as started

@@ -15,7 +15,7 @@ void PathPins::written(Ticks tick, EventListener& events) noexcept {
   later_.count = 0;
 }
 
-void PathPins::advance(const MotionPlan& plan, double ticks, bool ended) noexcept {
+void PathPins::advance(const Plan& plan, double ticks, bool ended) noexcept {
   const std::span<const TimedOutput> outputs = outputs_of(plan);
   const double way = ticks - executed_;
   for (; next_ < outputs.size(); ++next_) {

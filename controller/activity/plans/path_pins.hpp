@@ -12,7 +12,7 @@
 #include "controller/base/units.hpp"
 #include "controller/message/event.hpp"
 #include "controller/motion/set_point_source.hpp"
-#include "controller/trajectory/plan/motion_plan.hpp"
+#include "controller/trajectory/plan/plan.hpp"
 
 namespace armature {
 
@@ -34,7 +34,7 @@ class PathPins {
   // Call at the start of each tick: those of next() have been written. Reports them.
   void written(Ticks tick, EventListener& events) noexcept;
   // Call after the set-point of a tick: the plan has been executed up to `ticks`, or to its end.
-  void advance(const MotionPlan& plan, double ticks, bool ended) noexcept;
+  void advance(const Plan& plan, double ticks, bool ended) noexcept;
   // To be written at the start of the next tick.
   [[nodiscard]] PinLevels next() const noexcept;
 

@@ -130,7 +130,7 @@ void PlanActivity::plan(const PoseMove& move, RegisterBus& bus) noexcept {
        bus, solution.residual_rad);
 }
 
-// Until a path can be sent together with what comes before it: as two plans, or as one of three parts.
+// Until a path can be sent together with what comes before it: as two plans, or as one of three pieces.
 bool PlanActivity::has_room_for_path() const noexcept {
   using Progress = PathStage::Progress;
   const Progress progress = path_.planner().progress();
@@ -193,7 +193,7 @@ bool PlanActivity::add_to_joints(RegisterBus& bus) noexcept {
       return true;
     }
   }
-  if (!outbox_.has_room(corner_.entries())) return false;
+  if (!outbox_.has_room(corner_.stores())) return false;
   corner_.send_joints();
   return true;
 }
@@ -209,7 +209,7 @@ bool PlanActivity::add_to_joined(RegisterBus& bus) noexcept {
     return true;
   }
   if (!outbox_.has_room()) return false;
-  outbox_.send_joined();
+  outbox_.send_unsent();
   return true;
 }
 

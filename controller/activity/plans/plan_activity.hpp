@@ -59,7 +59,8 @@ class PlanActivity final : public Activity {
   [[nodiscard]] RetargetStage& retarget() noexcept { return retarget_; }
   // The stage of paths, which is lent to the conveyor while it is empty.
   [[nodiscard]] PathStage& path() noexcept { return path_; }
-  [[nodiscard]] bool have_room() const noexcept { return outbox_.has_room(); }
+  // Plans to core 0, also those of the conveyor.
+  [[nodiscard]] PlanOutbox& outbox() noexcept { return outbox_; }
 
   // Activity
   [[nodiscard]] bool idle() const noexcept override;

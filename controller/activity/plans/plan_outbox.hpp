@@ -1,6 +1,6 @@
 // The plans on their way to core 0, and what core 1 knows of those that it has sent.
 //
-// A plan is built in its place in the queue, because it has no room on the stack.
+// A plan is built of pieces, which are copied to the memory that core 0 reads.
 #pragma once
 
 #include <cassert>
@@ -9,40 +9,51 @@
 #include <utility>
 
 #include "controller/activity/channel.hpp"
-#include "controller/trajectory/plan/motion_plan.hpp"
+#include "controller/trajectory/plan/plan.hpp"
 
 namespace armature {
 
 class PlanOutbox {
  public:
   // The channel must outlive the outbox.
-  explicit PlanOutbox(Channel& channel) noexcept : store_{channel.plan_store}, control_{channel.control} {
-    joined().begin_joined();
-  }
+  explicit PlanOutbox(Channel& channel) noexcept : store_{channel.plan_store}, control_{channel.control} {}
   PlanOutbox(const PlanOutbox&) = delete;
   PlanOutbox& operator=(const PlanOutbox&) = delete;
 
-  [[nodiscard]] bool has_room(std::size_t plans = 1) const noexcept { return store_.plans.has_room(plans); }
-  // Only where no plan is being joined, and with room.
-  template <class Plan>
-  void send(const Plan& plan) noexcept {
-    joined() = plan;
-    send_entries(1);
+  // For plans that need so many PieceStores.
+  [[nodiscard]] bool has_room(std::size_t stores = 1) const noexcept {
+    const std::uint32_t used = stores_used_ - store_.released.load(std::memory_order_acquire);
+    return used + stores <= PlanStore::kPlans;
   }
 
-  // The plan of paths and joint moves that is not sent yet. It has no parts while nothing is joined.
-  [[nodiscard]] MotionPlan& joined() const noexcept { return store_.plans.free_slot(); }
-  // Adds a part to joined(). The third one needs room for a second entry.
-  template <class Plan>
-  void join(const Plan& plan, Ticks from, bool in_motion) noexcept {
-    if (joined().parts() + 1 < MotionPlan::kMaxParts) return joined().add(plan, from, in_motion);
-    MotionPlan& next = store_.plans.free_slot(1);
-    next = plan;
-    joined().add_next_of_queue(next, from, in_motion);
+  // The plan that is not sent yet. It is empty while nothing is being joined.
+  [[nodiscard]] Plan& unsent() noexcept { return unsent_; }
+  [[nodiscard]] const Plan& unsent() const noexcept { return unsent_; }
+  // Adds a joint move, a chain or a path to it. The third piece needs room for two PieceStores.
+  template <class Whole>
+  void join(const Whole& whole, Ticks from, bool in_motion) noexcept {
+    const std::size_t store = (next_store_ + unsent_.count / 2) % store_.pieces.size();
+    unsent_.add(store_.pieces[store].keep(whole), from, in_motion);
   }
-  void send_joined() noexcept {
-    if (joined().parts() == 1) joined().become_path();
-    send_entries(joined().entries());
+  // With room.
+  void send_unsent() noexcept {
+    [[maybe_unused]] const bool pushed = store_.plans.try_push(take_unsent());
+    assert(pushed);
+    ++queued_;
+    ++sent_;
+  }
+  // Only where no plan is being joined, and with room.
+  template <class Whole>
+  void send(const Whole& whole) noexcept {
+    join(whole, Ticks{}, false);
+    send_unsent();
+  }
+  // The same for a plan that another activity sends. Its source must count what it does not read any more
+  // (PlanStore::released).
+  template <class Whole>
+  [[nodiscard]] Plan store(const Whole& whole) noexcept {
+    join(whole, Ticks{}, false);
+    return take_unsent();
   }
 
   // A joint move that begins at once counts like a plan.
@@ -65,19 +76,21 @@ class PlanOutbox {
   }
 
  private:
-  void send_entries(std::size_t entries) noexcept {
-    assert(store_.plans.has_room(entries));  // the callers have checked, and only this core fills the queue
-    store_.plans.push_slots(entries);
-    queued_ += static_cast<std::uint32_t>(entries);
-    ++sent_;
-    joined().begin_joined();
+  Plan take_unsent() noexcept {
+    assert(has_room(unsent_.stores()));  // the callers have checked, and only this core takes from it
+    stores_used_ += static_cast<std::uint32_t>(unsent_.stores());
+    next_store_ = (next_store_ + unsent_.stores()) % store_.pieces.size();
+    return std::exchange(unsent_, Plan{});
   }
 
   PlanStore& store_;
   const RunControl& control_;
-  std::uint32_t queued_ = 0;  // entries of PlanStore::plans that were sent; wraps
-  std::uint32_t sent_ = 0;    // plans and requests; wraps like PlanStore::over
-  std::uint32_t late_ = 0;    // of PlanStore::late, those that are known here
+  Plan unsent_{};
+  std::size_t next_store_ = 0;     // of PlanStore::pieces, the first one of unsent_
+  std::uint32_t stores_used_ = 0;  // since the start; wraps like PlanStore::released
+  std::uint32_t queued_ = 0;       // plans that were sent; wraps
+  std::uint32_t sent_ = 0;         // plans and requests; wraps like PlanStore::over
+  std::uint32_t late_ = 0;         // of PlanStore::late, those that are known here
 };
 
 }  // namespace armature

@@ -44,8 +44,7 @@ SetPoint& PlanSource::advance(Ticks tick, const RunControl::View& control) noexc
   }
   if (under_way_) {
     pins_.advance(sampler_.plan(), sampler_.elapsed(), !sampler_.busy());
-    store_.progress.set({plans_released_ + static_cast<std::uint32_t>(active_entries_),
-                         static_cast<std::uint32_t>(sampler_.elapsed())});
+    store_.progress.set({number_, static_cast<std::uint32_t>(sampler_.elapsed())});
     report_progress(tick);
   }
   set_point_.pins = pins_.next();
@@ -54,7 +53,7 @@ SetPoint& PlanSource::advance(Ticks tick, const RunControl::View& control) noexc
   set_point_.inverses = sampler_.inverses();
   if (stopping_) {
     set_point_.state = MotionState::kStopping;
-  } else if (control.hold && (moved || next_plan() != nullptr)) {
+  } else if (control.hold && (moved || !store_.plans.empty())) {
     set_point_.state = MotionState::kHolding;
   } else {
     set_point_.state = moved ? MotionState::kMoving : MotionState::kIdle;
@@ -97,25 +96,20 @@ void PlanSource::brake() noexcept {
   }
 }
 
-const MotionPlan* PlanSource::next_plan() noexcept {
-  return store_.plans.peek(waiting_dropped_ + active_entries_);
-}
-
 // Replaces the active plan by the one that continues it, at a time at which both are the same.
 void PlanSource::continue_with_next() noexcept {
-  const MotionPlan* plan = next_plan();
-  const CartesianPlan* next = plan == nullptr ? nullptr : plan->path();
+  const Plan* plan = store_.plans.front();
+  const CartesianPlan* next = plan == nullptr ? nullptr : plan->only_path();
   if (next == nullptr || !next->continues) return;
   if (!under_way_ || sampler_.missed(*next)) {
     drop_next_plan();
     store_.late.store(++plans_late_, std::memory_order_release);
     set_point_.wake = true;
   } else if (sampler_.can_continue_with(*next)) {
-    sampler_.continue_with(*plan);
+    sampler_.continue_with(*next);
     pins_.continue_with(*next);
     release_plan();
-    under_way_ = true;
-    active_entries_ = 1;
+    take_next_plan();
     ++plans_ended_;
     progress_.continue_without(next->dropped);
     set_point_.wake = true;
@@ -160,46 +154,48 @@ bool PlanSource::start_retarget(const RetargetRequest& request, Ticks tick) noex
     release_plan();
   }
   drop_plans(Refusal::kReplaced);
-  store_.retarget_plan = plan;
-  sampler_.start_in_motion(store_.retarget_plan);
+  store_.retarget = plan;
+  sampler_.start_in_motion(store_.retarget);
   under_way_ = true;
+  number_ = 0;
   pins_.begin();
   progress_.begin();
   return true;
 }
 
 void PlanSource::start_next_plan(double share) noexcept {
-  const MotionPlan* plan = next_plan();
+  const Plan* plan = store_.plans.front();
   if (plan == nullptr) return;
   sampler_.start(*plan, is_dwell(*plan) ? 1.0 : share);
-  under_way_ = true;
-  active_entries_ = plan->entries();
+  take_next_plan();
   pins_.begin();
   progress_.begin();
   set_point_.wake = true;
 }
 
-// The active plan is over. If it is in the queue, it leaves it with those behind it that are dropped, and there is room
-// for another one.
+// It becomes the active one.
+void PlanSource::take_next_plan() noexcept {
+  under_way_ = true;
+  number_ = ++plans_taken_;
+  stores_held_ = store_.plans.front()->stores();
+  store_.plans.drop_front();
+}
+
+// The active plan is over.
 void PlanSource::release_plan() noexcept {
   under_way_ = false;
-  const std::size_t entries = std::exchange(active_entries_, 0);
-  if (entries > 0) drop_front(entries + std::exchange(waiting_dropped_, 0));
+  store_.release(std::exchange(stores_held_, 0));
 }
 
-void PlanSource::drop_front(std::size_t entries) noexcept {
-  plans_released_ += static_cast<std::uint32_t>(entries);
-  for (; entries > 0; --entries) store_.plans.drop_front();
-}
-
-// The active plan stays at the front until it ends.
 void PlanSource::drop_next_plan() noexcept {
   ++plans_ended_;
-  const std::size_t entries = next_plan()->entries();
-  if (active_entries_ > 0) {
-    waiting_dropped_ += entries;
+  ++plans_taken_;
+  const std::size_t stores = store_.plans.front()->stores();
+  store_.plans.drop_front();
+  if (stores_held_ > 0) {
+    stores_held_ += stores;
   } else {
-    drop_front(entries);
+    store_.release(stores);
   }
 }
 
@@ -235,8 +231,8 @@ void PlanSource::cancel(Ticks tick) noexcept {
 }
 
 void PlanSource::drop_plans(Refusal reason) noexcept {
-  while (const MotionPlan* plan = next_plan()) {
-    const CartesianPlan* path = plan->path();
+  while (const Plan* plan = store_.plans.front()) {
+    const CartesianPlan* path = plan->only_path();
     for (std::size_t move = path != nullptr ? path->known : 0; move < moves_in(*plan); ++move) {
       events_.on_event(dropped(*plan, move, reason));
     }

@@ -63,12 +63,10 @@ class PlanSource final : public ActivitySource {
   void retarget(const RetargetRequest& request, Ticks tick) noexcept;
   [[nodiscard]] bool start_retarget(const RetargetRequest& request, Ticks tick) noexcept;
   void start_next_plan(double share) noexcept;
-  // The plan behind the active one and those that are dropped, or null.
-  [[nodiscard]] const MotionPlan* next_plan() noexcept;
   void continue_with_next() noexcept;
+  void take_next_plan() noexcept;
   void drop_next_plan() noexcept;
   void release_plan() noexcept;
-  void drop_front(std::size_t entries) noexcept;
   void report_progress(Ticks tick) noexcept;
   void drop_plans(Refusal reason) noexcept;
   void drop_all() noexcept;
@@ -84,18 +82,17 @@ class PlanSource final : public ActivitySource {
   ReadAhead read_ahead_;
   PathPins pins_;
   bool under_way_ = false;  // sampler_ has a plan that is neither finished nor cancelled
-  // Entries of the queue, at its front, that the plan of sampler_ takes; 0: it is not in the queue.
-  std::size_t active_entries_ = 0;
+  // PieceStores of the plan of sampler_ and of those that were dropped behind it; 0: it came from no queue.
+  std::size_t stores_held_ = 0;
   std::optional<StopKind> stop_{};  // to begin with
   bool stopping_ = false;
   bool soft_ = false;  // within the limits of the move
   std::optional<RetargetRequest> retarget_{};
-  // Entries behind them that are dropped: they leave the queue with the active plan.
-  std::size_t waiting_dropped_ = 0;
-  std::uint32_t plans_released_ = 0;  // number of entries that have left the queue
-  std::uint32_t plans_late_ = 0;      // as PlanStore::late
-  MoveProgress progress_;             // of the active plan
-  std::uint32_t plans_ended_ = 0;     // number of plans that ended or were dropped
+  std::uint32_t plans_taken_ = 0;    // number of plans that have left the queue
+  std::uint32_t number_ = 0;         // of the active plan, as in PlanProgress
+  std::uint32_t plans_late_ = 0;     // as PlanStore::late
+  MoveProgress progress_;            // of the active plan
+  std::uint32_t plans_ended_ = 0;    // number of plans that ended or were dropped
   std::uint32_t plans_pulsing_ = 0;  // those of them that ended before the latest tick: their last set is being emitted
 };
 

@@ -1,28 +1,36 @@
 // The plans that core 0 has, and how far it is with them.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
 
 #include "controller/base/spsc_queue.hpp"
-#include "controller/trajectory/plan/motion_plan.hpp"
+#include "controller/trajectory/plan/plan.hpp"
 
 namespace armature {
 
 struct PlanStore {
-  static constexpr std::size_t kPlans = 9;  // entries; the active plan included
+  static constexpr std::size_t kPlans = 9;  // PieceStores of plans that were sent, the active one included
   // All moves of these plans. Only the active plan and the one that continues it may have more than
   // CartesianPlan::kMaxFirstSegments.
-  static_assert(MotionPlan::kMaxMoves == CartesianPlan::kMaxFirstSegments);
+  static_assert(Plan::kMaxMoves == CartesianPlan::kMaxFirstSegments);
   static constexpr std::size_t kMoves = kPlans * CartesianPlan::kMaxFirstSegments + 2 * CartesianPlan::kMaxSegments;
 
   // Core 1 -> core 0. Each begins where the previous one ends, or continues it (CartesianPlan::continues): then it is
-  // sent when that one is active, and no other plan behind it before it has replaced that one or was too late. The
-  // active plan stays in the queue until its end, so no plan is copied. A joined plan of three parts takes two
-  // entries, which enter and leave the queue together.
-  SpscQueue<MotionPlan, kPlans> plans;
-  MotionPlan retarget_plan;  // of core 0, which plans the move that begins at once; its stack has no room for a plan
+  // sent when that one is active, and no other plan behind it before it has replaced that one or was too late.
+  SpscQueue<Plan, kPlans> plans;
+  // What their pieces name, in the order of the plans; core 1 fills one more for the plan that it has not sent. While
+  // the arm follows a part on the conveyor, its paths and dwells are here.
+  std::array<PieceStore, kPlans + 1> pieces{};
+  // Core 0 -> core 1: number of PieceStores that core 0 does not read any more, since the start; wraps. Those of a plan
+  // that is dropped behind the active one are free when those of that are.
+  std::atomic<std::uint32_t> released{0};
+  void release(std::size_t stores) noexcept {
+    released.fetch_add(static_cast<std::uint32_t>(stores), std::memory_order_release);
+  }
+  JointChain retarget;  // of core 0, which plans the move that begins at once
 
   // Core 0 -> core 1, with an event: number of plans and RetargetRequests that are over, since the start;
   // wraps. A plan is over when its last pulse is emitted, at its end or where a stop or a fault ended it, or when it
@@ -32,7 +40,7 @@ struct PlanStore {
   class PlanProgress {
    public:
     struct View {
-      std::uint32_t plan = 0;   // number of its last entry of all that `plans` had, from 1; 0: none yet; wraps
+      std::uint32_t plan = 0;   // its number of all that `plans` had, from 1; 0: none of these; wraps
       std::uint32_t ticks = 0;  // of its own time that are over
     };
     void set(const View& view) noexcept {

@@ -26,12 +26,6 @@ double rate_bend(const RetargetPlan& plan, const RobotModel& robot) noexcept {
   return least;
 }
 
-double rate_bend(const JointChain& plan, const RobotModel& robot) noexcept {
-  double least = kAnyBend;
-  for (std::size_t move = 0; move < plan.count; ++move) least = std::min(least, rate_bend(plan.moves[move], robot));
-  return least;
-}
-
 namespace {
 
 // From the limits of the segment and of the axes: how fast the joints really move is not known here.
@@ -49,13 +43,13 @@ double bend_on_path(const CartesianSegment& segment, const RobotModel& robot) {
 
 }  // namespace
 
-double rate_bend(const MotionPlan& plan, const RobotModel& robot) noexcept {
+double rate_bend(const Plan& plan, const RobotModel& robot) noexcept {
   double least = kAnyBend;
-  for (std::size_t i = 0; i < plan.parts(); ++i) {
-    const MotionPlan::Part part = plan.part(i);
-    if (part.chain != nullptr) least = std::min(least, rate_bend(*part.chain, robot));
-    const std::size_t segments = part.path != nullptr ? part.path->count : 0;
-    for (std::size_t k = 0; k < segments; ++k) least = std::min(least, bend_on_path(part.path->segments[k], robot));
+  for (const Piece& piece : plan.view()) {
+    const std::size_t moves = piece.chain != nullptr ? piece.chain->count : 0;
+    for (std::size_t i = 0; i < moves; ++i) least = std::min(least, rate_bend(piece.chain->moves[i], robot));
+    const std::size_t segments = piece.path != nullptr ? piece.path->count : 0;
+    for (std::size_t i = 0; i < segments; ++i) least = std::min(least, bend_on_path(piece.path->segments[i], robot));
   }
   return least;
 }

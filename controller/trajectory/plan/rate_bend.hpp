@@ -6,7 +6,7 @@
 
 #include "controller/robot/robot_model.hpp"
 #include "controller/trajectory/plan/joint_chain.hpp"
-#include "controller/trajectory/plan/motion_plan.hpp"
+#include "controller/trajectory/plan/plan.hpp"
 
 namespace armature {
 
@@ -27,9 +27,8 @@ inline constexpr double kMinBend = 1e-15;
 
 // Every axis keeps twice the robot's jerk.
 [[nodiscard]] double rate_bend(const RetargetPlan& plan, const RobotModel& robot) noexcept;
-[[nodiscard]] double rate_bend(const JointChain& plan, const RobotModel& robot) noexcept;
-// For a joined plan: the least of all its moves. For its paths from their limits and those of the axes, so that a hold
+// The least of all moves of its chains and paths. For paths from their limits and those of the axes, so that a hold
 // takes longer than on a path alone.
-[[nodiscard]] double rate_bend(const MotionPlan& plan, const RobotModel& robot) noexcept;
+[[nodiscard]] double rate_bend(const Plan& plan, const RobotModel& robot) noexcept;
 
 }  // namespace armature

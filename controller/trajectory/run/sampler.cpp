@@ -17,11 +17,6 @@ RateJerk rate_jerk(bool limited, RateJerk kind) {
 // the rest is less than a_max (kEndTicks Ts)^2 / 2, a millionth of the change allowed in a tick.
 constexpr double kEndTicks = 1e-3;
 
-// The time of a part of a joined plan.
-double own_ticks(const MotionPlan::Part& part, double ticks) {
-  return ticks - static_cast<double>(part.start.value()) + static_cast<double>(part.from.value());
-}
-
 }  // namespace
 
 Sampler::Sampler(const RobotModel& robot, const Arm& arm, const PerAxis<Radians>& position) noexcept
@@ -33,44 +28,44 @@ void Sampler::reset_to(const PerAxis<Radians>& position) noexcept {
   rate_ = 0.0;
 }
 
-void Sampler::start(const MotionPlan& plan, double rate) noexcept {
-  plan_ = &plan;
+void Sampler::take(const Plan& plan) noexcept {
+  plan_ = plan;
   duration_ = duration(plan);
   run_ = {};
   forget_samples();
-  if (const CartesianPlan* path = plan.path()) {
-    run_ = run_at(*path, 0.0);
+}
+
+void Sampler::start(const Plan& plan, double rate) noexcept {
+  take(plan);
+  restart_clock(rate, false);
+  busy_ = duration_ > Ticks{0};
+}
+
+void Sampler::start_in_motion(const JointChain& chain) noexcept {
+  take(Plan{Piece{chain}});
+  restart_clock(1.0, busy_);
+  busy_ = duration_ > Ticks{0};
+}
+
+// Several pieces have the clock of a joint chain of several moves.
+void Sampler::restart_clock(double rate, bool in_motion) noexcept {
+  const Piece only = plan_.count == 1 ? plan_.pieces[0] : Piece{};
+  if (only.path != nullptr) {
+    run_ = run_at(*only.path, 0.0);
     clock_.restart(rate, rate_jerk(run_.limits_jerk, RateJerk::kTurning));
-  } else if (const JointChain* chain = plan.joint_chain()) {
-    restart(*chain, rate, false);
-  } else if (plan.is_joined()) {
-    clock_.restart(rate, RateJerk::kAny, rate_bend(plan, robot_));
-  } else {
-    clock_.restart(rate, rate_jerk(limits_jerk(*plan.joint()), RateJerk::kMonotonic));
+  } else if (only.joints != nullptr) {
+    clock_.restart(rate, rate_jerk(limits_jerk(*only.joints), RateJerk::kMonotonic));
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
-      const TimeLaw& law = plan.joint()->profiles[axis];
+      const TimeLaw& law = only.joints->profiles[axis];
       if (law.kind == ProfileKind::kSCurve) clock_.set_peak(axis, law.scurve.jerk * law.scurve.jerk_s);
     }
+  } else if (only.chain != nullptr && only.chain->count == 1 && only.chain->moves[0].kind == ProfileKind::kSCurve) {
+    clock_.restart(rate, RateJerk::kReversing, kAnyBend, in_motion);
+    const PerAxis<PhaseLaw>& laws = only.chain->moves[0].laws;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) clock_.set_peak(axis, laws[axis].peak_accel());
+  } else {
+    clock_.restart(rate, RateJerk::kAny, rate_bend(plan_, robot_), in_motion);
   }
-  busy_ = duration_ > Ticks{0};
-}
-
-void Sampler::start_in_motion(const MotionPlan& plan) noexcept {
-  plan_ = &plan;
-  duration_ = duration(plan);
-  run_ = {};
-  forget_samples();
-  restart(*plan.joint_chain(), 1.0, busy_);
-  busy_ = duration_ > Ticks{0};
-}
-
-void Sampler::restart(const JointChain& chain, double rate, bool in_motion) noexcept {
-  const RetargetPlan& first = chain.moves[0];
-  if (chain.count > 1 || first.kind != ProfileKind::kSCurve) {
-    return clock_.restart(rate, RateJerk::kAny, rate_bend(chain, robot_), in_motion);
-  }
-  clock_.restart(rate, RateJerk::kReversing, kAnyBend, in_motion);
-  for (std::size_t axis = 0; axis < kAxes; ++axis) clock_.set_peak(axis, first.laws[axis].peak_accel());
 }
 
 bool Sampler::can_continue_with(const CartesianPlan& next) const noexcept {
@@ -84,13 +79,10 @@ bool Sampler::missed(const CartesianPlan& next) const noexcept {
   return !busy_ || clock_.time() - static_cast<double>(next.origin.value()) > next.same_until_ticks;
 }
 
-void Sampler::continue_with(const MotionPlan& next) noexcept {
-  plan_ = &next;
-  const CartesianPlan& path = *next.path();
-  duration_ = path.duration;
-  clock_.move_origin(path.origin);
-  forget_samples();
-  run_ = path.first_run;
+void Sampler::continue_with(const CartesianPlan& next) noexcept {
+  take(Plan{Piece{next}});
+  clock_.move_origin(next.origin);
+  run_ = next.first_run;
   clock_.continue_with_jerk(rate_jerk(run_.limits_jerk, RateJerk::kTurning));
 }
 
@@ -98,7 +90,7 @@ const PerAxis<Radians>& Sampler::advance(double rate) noexcept {
   inverses_ = 0;
   rate_ = 0.0;
   if (!busy_) return position_;
-  if (const CartesianPlan* path = plan_->path(); path != nullptr && clock_.time() >= run_.end_ticks) {
+  if (const CartesianPlan* path = plan_.only_path(); path != nullptr && clock_.time() >= run_.end_ticks) {
     run_ = run_at(*path, clock_.time());
     clock_.set_jerk(rate_jerk(run_.limits_jerk, RateJerk::kTurning));
   }
@@ -122,11 +114,10 @@ const PerAxis<Radians>& Sampler::brake() noexcept {
 
 PerAxis<AxisState> Sampler::state() const noexcept {
   if (!busy_) return make_per_axis([&](std::size_t axis) { return AxisState{.position = position_[axis].value()}; });
-  const MotionPlan::Part part = plan_->is_joined() ? plan_->part_at(clock_.time()) : MotionPlan::Part{};
-  if (plan_->path() == nullptr && part.path == nullptr && clock_.steady()) {
-    const double t_s = own_ticks(part, clock_.time()) * kTickSeconds, rate = clock_.rate();
-    const JointChain* chain = part.chain != nullptr ? part.chain : plan_->joint_chain();
-    auto state = chain != nullptr ? state_at(*chain, t_s) : state_at(*plan_->joint(), t_s);
+  const Piece& piece = plan_.piece_at(clock_.time());
+  if (piece.path == nullptr && clock_.steady()) {
+    const double t_s = piece.own_ticks(clock_.time()) * kTickSeconds, rate = clock_.rate();
+    auto state = piece.chain != nullptr ? state_at(*piece.chain, t_s) : state_at(*piece.joints, t_s);
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       state[axis].position = position_[axis].value();
       state[axis].velocity *= rate;
@@ -144,42 +135,30 @@ PerAxis<AxisState> Sampler::state() const noexcept {
 void Sampler::finish_if_over() noexcept {
   rate_ = clock_.rate();
   busy_ = clock_.time() < static_cast<double>(duration_.value()) - kEndTicks;
-  if (!busy_) position_ = target_of(*plan_);
+  if (!busy_) position_ = target_of(plan_);
 }
 
 PerAxis<Radians> Sampler::at(double ticks) noexcept {
-  const double t_s = ticks * kTickSeconds;
-  if (const CartesianPlan* path = plan_->path()) return armature::position(*path, arm_, t_s, position_, inverses_);
-  if (const JointChain* chain = plan_->joint_chain()) return armature::position(*chain, t_s);
-  if (const JointPlan* joint = plan_->joint()) return armature::position(*joint, t_s);
-  return at_joined(ticks);
+  const Piece& piece = plan_.piece_at(ticks);
+  const double t_s = piece.own_ticks(ticks) * kTickSeconds;
+  if (piece.path != nullptr) return armature::position(*piece.path, arm_, t_s, position_, inverses_);
+  if (piece.chain != nullptr) return armature::position(*piece.chain, t_s);
+  return armature::position(*piece.joints, t_s);
 }
 
-PerAxis<Radians> Sampler::at_joined(double ticks) noexcept {
-  const MotionPlan::Part part = plan_->part_at(ticks);
-  const double t_s = own_ticks(part, ticks) * kTickSeconds;
-  if (part.chain != nullptr) return armature::position(*part.chain, t_s);
-  return armature::position(*part.path, arm_, t_s, position_, inverses_);
-}
-
-// Scaled by the larger limits of all segments that have been active since the previous set-point. Nothing where a
-// joined plan changes between a path and joint moves: the rate is then constant for that tick.
+// Scaled by the larger limits of all segments that have been active since the previous set-point. Nothing where the
+// piece changes: the rate is then constant for that tick.
 ToolStep Sampler::tool_step(double from, double to) noexcept {
-  const CartesianPlan* plan = plan_->path();
-  double clock_ticks = clock_.time();
-  if (plan_->is_joined()) {
-    const MotionPlan::Part part = plan_->part_at(from);
-    if (part.path != plan_->part_at(to).path) return {};
-    plan = part.path;
-    from = own_ticks(part, from);
-    to = own_ticks(part, to);
-    clock_ticks = own_ticks(part, clock_ticks);
-  }
-  if (plan == nullptr) return {};
+  const Piece& piece = plan_.piece_at(from);
+  const CartesianPlan* path = piece.path;
+  if (path == nullptr || path != plan_.piece_at(to).path) return {};
+  from = piece.own_ticks(from);
+  to = piece.own_ticks(to);
+  const double clock_ticks = piece.own_ticks(clock_.time());
   double accel_mm_s2 = 0.0, turn_accel_rad_s2 = 0.0, jerk_mm_s3 = 0.0, turn_jerk_rad_s3 = 0.0;
   bool limits_jerk = true;
-  for (std::size_t i = segment_at(*plan, clock_ticks * kTickSeconds) + 1; i-- > 0;) {
-    const CartesianSegment& segment = plan->segments[i];
+  for (std::size_t i = segment_at(*path, clock_ticks * kTickSeconds) + 1; i-- > 0;) {
+    const CartesianSegment& segment = path->segments[i];
     if (static_cast<double>(end_of(segment).value()) <= clock_ticks - clock_.rate()) break;
     accel_mm_s2 = std::max(accel_mm_s2, segment.limits.accel_mm_s2);
     turn_accel_rad_s2 = std::max(turn_accel_rad_s2, segment.limits.turn_accel_rad_s2);
@@ -188,7 +167,7 @@ ToolStep Sampler::tool_step(double from, double to) noexcept {
     limits_jerk = limits_jerk && segment.profile == ProfileKind::kSCurve;
   }
   if (accel_mm_s2 == 0.0) return {};  // beyond the end
-  const ToolSample first = tool_at(*plan, from), second = tool_at(*plan, to);
+  const ToolSample first = tool_at(*path, from), second = tool_at(*path, to);
   const Eigen::Vector3d move_mm = second.tool.base_T_tool.position_mm - first.tool.base_T_tool.position_mm;
   constexpr double kTick2 = kTickSeconds * kTickSeconds;
   ToolStep step{.move = move_mm / (accel_mm_s2 * kTick2),
@@ -215,10 +194,12 @@ void Sampler::forget_samples() noexcept {
   sample_count_ = oldest_sample_ = 0;
 }
 
+// For the clocks that limit the jerk: those of plans of one piece, which is no chain of several moves.
 double Sampler::plan_jerk(double from, double to) const noexcept {
-  if (const CartesianPlan* path = plan_->path()) return jerk_share(*path, from, to);
-  if (const JointChain* chain = plan_->joint_chain()) return jerk_share(chain->moves[0], robot_, from, to);
-  return jerk_share(*plan_->joint(), robot_, from, to);
+  const Piece& only = plan_.pieces[0];
+  if (only.path != nullptr) return jerk_share(*only.path, from, to);
+  if (only.chain != nullptr) return jerk_share(only.chain->moves[0], robot_, from, to);
+  return jerk_share(*only.joints, robot_, from, to);
 }
 
 }  // namespace armature

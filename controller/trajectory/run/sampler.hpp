@@ -9,7 +9,7 @@
 #include "controller/kinematics/arm.hpp"
 #include "controller/robot/robot_model.hpp"
 #include "controller/trajectory/plan/jerk_share.hpp"
-#include "controller/trajectory/plan/motion_plan.hpp"
+#include "controller/trajectory/plan/plan.hpp"
 #include "controller/trajectory/run/path_clock.hpp"
 
 namespace armature {
@@ -24,12 +24,11 @@ class Sampler {
   // Cancels the plan and stands at `position`.
   void reset_to(const PerAxis<Radians>& position) noexcept;
 
-  // Starts `plan`, which begins at the present position, at `rate` 0..1. Call only while no plan is active. It is not
-  // copied, so it must stay as it is while it is active.
-  void start(const MotionPlan& plan, double rate) noexcept;
-  void start(MotionPlan&&, double) = delete;
+  // Starts `plan`, which begins at the present position, at `rate` 0..1. Call only while no plan is active. What its
+  // pieces name must stay as it is while it is active.
+  void start(const Plan& plan, double rate) noexcept;
   // The same for a joint chain of one move that begins at state(), at the rate 1. It replaces an active plan.
-  void start_in_motion(const MotionPlan& plan) noexcept;
+  void start_in_motion(const JointChain& chain) noexcept;
   // True while the active plan can be replaced by `next`, which continues it, also during a change of the rate unless
   // that would have to limit the jerk from then on. Before, it returns false, and afterwards it never returns true
   // again.
@@ -37,7 +36,7 @@ class Sampler {
   // True when it is too late for that.
   [[nodiscard]] bool missed(const CartesianPlan& next) const noexcept;
   // Replaces the active plan while can_continue_with().
-  void continue_with(const MotionPlan& next) noexcept;
+  void continue_with(const CartesianPlan& next) noexcept;
 
   // The set-point of the next tick; the last one again if no plan is active. The rate changes towards `rate`, 0..1, as
   // fast as the joints and the limits of the move allow; see path_clock.hpp.
@@ -57,7 +56,7 @@ class Sampler {
   [[nodiscard]] double rate() const noexcept { return rate_; }
 
   // The active plan, and how much of it has been executed, in ticks of its own time. That is also valid after its end.
-  [[nodiscard]] const MotionPlan& plan() const noexcept { return *plan_; }
+  [[nodiscard]] const Plan& plan() const noexcept { return plan_; }
   [[nodiscard]] double elapsed() const noexcept { return clock_.time(); }
 
   // Inverse kinematics computed by the last advance() or brake(), at most kMaxInverses: none for a joint plan, one
@@ -67,9 +66,9 @@ class Sampler {
   [[nodiscard]] int inverses() const noexcept { return inverses_; }
 
  private:
-  void restart(const JointChain& chain, double rate, bool in_motion) noexcept;
+  void take(const Plan& plan) noexcept;
+  void restart_clock(double rate, bool in_motion) noexcept;
   [[nodiscard]] PerAxis<Radians> at(double ticks) noexcept;
-  [[nodiscard]] PerAxis<Radians> at_joined(double ticks) noexcept;
   [[nodiscard]] ToolStep tool_step(double from, double to) noexcept;
   // tool_sample() of a path of the active plan. A change of the rate needs those of the last two ticks again.
   [[nodiscard]] ToolSample tool_at(const CartesianPlan& path, double ticks) noexcept;
@@ -81,10 +80,10 @@ class Sampler {
   const RobotModel& robot_;
   const Arm& arm_;
   PerAxis<Radians> position_;
-  const MotionPlan* plan_ = nullptr;  // null before the first one; valid while busy_
+  Plan plan_{};  // empty before the first one
   Ticks duration_{};
   PathClock clock_;
-  PlanRun run_{};  // of a path
+  PlanRun run_{};  // of a plan that is a path
   struct Sample {
     const CartesianPlan* path = nullptr;
     double ticks = 0.0;

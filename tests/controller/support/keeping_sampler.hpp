@@ -10,18 +10,14 @@ namespace armature::test {
 class KeepingSampler : public Sampler {
  public:
   using Sampler::Sampler;
-  template <class Plan>
-  void start(const Plan& plan, double rate) {
-    *plan_ = plan;
-    Sampler::start(*plan_, rate);
+  template <class Whole>
+  void start(const Whole& whole, double rate) {
+    Sampler::start(Plan{kept_->keep(whole)}, rate);
   }
-  void start(const RetargetPlan& plan) {
-    *plan_ = plan;
-    start_in_motion(*plan_);
-  }
+  void start(const RetargetPlan& plan) { start_in_motion(kept_->chain = plan); }
 
  private:
-  std::unique_ptr<MotionPlan> plan_ = std::make_unique<MotionPlan>();
+  std::unique_ptr<PieceStore> kept_ = std::make_unique<PieceStore>();
 };
 
 }  // namespace armature::test

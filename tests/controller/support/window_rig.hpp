@@ -71,7 +71,7 @@ class WindowRig {
     ASSERT_EQ(rig_.plan(result_.joints.back(), chain(next_, count)), CartesianPlanner::Progress::kDone) << next_;
     *plan_ = rig_.planner.plan();
     next_ += count;
-    sampler_.start(std::as_const(*plan_), rate(tick_));
+    sampler_.start(Plan{Piece{*plan_}}, rate(tick_));
     dead_ = false;
   }
 
@@ -97,11 +97,11 @@ class WindowRig {
   }
 
   void take_next() {
-    const CartesianPlan& next = *next_plan_->path();
+    const CartesianPlan& next = *next_plan_;
     if (sampler_.missed(next)) {
       drop_next();
     } else if (sampler_.can_continue_with(next)) {
-      sampler_.continue_with(*next_plan_);
+      sampler_.continue_with(next);
       std::swap(plan_, next_plan_);
       pending_ = false;
       result_.switches.push_back(result_.joints.size());
@@ -130,7 +130,8 @@ class WindowRig {
   std::size_t least_;
   Sampler sampler_{rig_.robot, rig_.arm, {}};
   WindowRun result_;
-  std::unique_ptr<MotionPlan> plan_ = std::make_unique<MotionPlan>(), next_plan_ = std::make_unique<MotionPlan>();
+  std::unique_ptr<CartesianPlan> plan_ = std::make_unique<CartesianPlan>(),
+                                 next_plan_ = std::make_unique<CartesianPlan>();
   std::size_t next_ = 0, added_ = 0;
   std::int64_t tick_ = 0, ready_tick_ = 0;
   bool pending_ = false, dead_ = false;  // dead: nothing can continue the active plan

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -67,23 +68,22 @@ JointAngles soft_joints(test::Random& random, const RobotModel& robot, double sh
 }
 
 // One move from rest to rest, or three through points without a stop.
-MotionPlan soft_plan(test::Random& random, const RobotModel& robot) {
+Piece soft_plan(test::Random& random, const RobotModel& robot, PieceStore& store) {
   const double share = std::pow(10.0, random.real(-2.0, 0.0)), speed = random.real(0.2, 1.0);
   if (random.integer(0, 2) > 0) {
-    return MotionPlan{
-        plan_joint_move(robot, {}, soft_joints(random, robot, share), speed, SyncRule::kFig9, ProfileKind::kSCurve)};
+    return store.keep(
+        plan_joint_move(robot, {}, soft_joints(random, robot, share), speed, SyncRule::kFig9, ProfileKind::kSCurve));
   }
   JointChain chain{plan_retarget(robot, {}, soft_joints(random, robot, share), speed, ProfileKind::kSCurve)};
   for (int i = 0; i < 2; ++i) {
     const JointRequest next{.target = soft_joints(random, robot, share), .speed = speed, .kind = ProfileKind::kSCurve};
     (void)append(chain, robot, next, 0.1 * share);
   }
-  return MotionPlan{chain};
+  return store.keep(chain);
 }
 
 // Executes the active plan at rates that change at random. Returns the number of ticks in which it stands.
-int drive(test::Random& random, test::KeepingSampler& sampler, std::int64_t duration,
-          std::vector<JointAngles>& joints) {
+int drive(test::Random& random, Sampler& sampler, std::int64_t duration, std::vector<JointAngles>& joints) {
   int standstills = 0;
   double wanted = 1.0;
   std::int64_t change = random.integer(0, duration);
@@ -106,6 +106,7 @@ int drive(test::Random& random, test::KeepingSampler& sampler, std::int64_t dura
 TEST(RateJerk, KeepsEveryLimitOfRandomJointMovesAtRandomRates) {
   constexpr std::uint64_t kSeeds[]{1, 4'711};
   constexpr int kDraws = 125;
+  const auto store = std::make_unique<PieceStore>();
   test::Random random{kSeeds[0]};
   RateShares most;
   int standstills = 0;
@@ -114,9 +115,9 @@ TEST(RateJerk, KeepsEveryLimitOfRandomJointMovesAtRandomRates) {
     SCOPED_TRACE("seed " + std::to_string(kSeeds[draw / kDraws]) + ", draw " + std::to_string(draw % kDraws));
     const RobotModel robot = soft_robot(random);
     const Arm arm{robot};
-    const MotionPlan plan = soft_plan(random, robot);
+    const Plan plan{soft_plan(random, robot, *store)};
     const auto duration = armature::duration(plan).value();
-    test::KeepingSampler sampler{robot, arm, {}};
+    Sampler sampler{robot, arm, {}};
     sampler.start(plan, random.integer(0, 1) == 0 ? 1.0 : random.real(0.01, 1.0));
     std::vector<JointAngles> joints(4, JointAngles{});
     standstills += drive(random, sampler, duration, joints);
@@ -125,7 +126,7 @@ TEST(RateJerk, KeepsEveryLimitOfRandomJointMovesAtRandomRates) {
     const RateShares here = rate_shares(robot, joints);
     EXPECT_LE(here.speed, kMostOfOthers);
     EXPECT_LE(here.accel, kMostOfOthers);
-    EXPECT_LE(here.jerk, plan.joint() != nullptr ? kMostOfMove : kMostOfChain);
+    EXPECT_LE(here.jerk, plan.pieces[0].joints != nullptr ? kMostOfMove : kMostOfChain);
     most = {std::max(most.speed, here.speed), std::max(most.accel, here.accel), std::max(most.jerk, here.jerk)};
   }
   EXPECT_GT(standstills, 10'000);
@@ -142,12 +143,12 @@ TEST(RateJerk, MovesThatBeginInMotionSeldomNeedMoreThanTheirJerk) {
     const RobotModel robot = soft_robot(random);
     const Arm arm{robot};
     const double share = std::pow(10.0, random.real(-2.0, 0.0)), speed = random.real(0.2, 1.0);
-    const MotionPlan first{
-        plan_joint_move(robot, {}, soft_joints(random, robot, share), speed, SyncRule::kFig9, ProfileKind::kSCurve)};
+    const JointPlan first =
+        plan_joint_move(robot, {}, soft_joints(random, robot, share), speed, SyncRule::kFig9, ProfileKind::kSCurve);
     test::KeepingSampler sampler{robot, arm, {}};
     sampler.start(first, 1.0);
     std::vector<JointAngles> joints(4, JointAngles{});
-    const std::int64_t turn = random.integer(0, duration(first).value());
+    const std::int64_t turn = random.integer(0, first.duration.value());
     for (std::int64_t tick = 0; tick < turn && sampler.busy(); ++tick) joints.push_back(sampler.advance(1.0));
     const JointAngles target = soft_joints(random, robot, share);
     const RetargetPlan second = plan_retarget(robot, sampler.state(), target, speed, ProfileKind::kSCurve);

@@ -27,11 +27,12 @@ class Refused final : public EventListener {
 class ConveyorSourceTest : public testing::Test {
  protected:
   void put_into_store(std::uint32_t tag, bool first) {
-    ConveyorRequest& request = store->request.free_slot();
-    request.plan = JointPlan{.duration = Ticks{100}, .is_dwell = true, .tag = Tag{tag}};
+    ConveyorRequest& request = store.request.free_slot();
+    dwell = {.duration = Ticks{100}, .is_dwell = true, .tag = Tag{tag}};
+    request.plan = Plan{Piece{dwell}};
     request.first = first;
     request.begin_mm = 100.0;  // the belt never brings the part there
-    store->request.push_slot();
+    store.request.push_slot();
   }
   void follow_until_stopped() {
     put_into_store(1, true);
@@ -46,8 +47,10 @@ class ConveyorSourceTest : public testing::Test {
   const ConveyorConfig config = *test::conveyor::with_conveyor().conveyor;
   StandingBelt belt;
   Refused refused;
-  const std::unique_ptr<PartStore> store = std::make_unique<PartStore>();  // too large for a stack
-  ConveyorSource source{robot, arm, {}, config, belt, *store, refused};
+  const std::unique_ptr<Channel> channel = std::make_unique<Channel>();  // too large for a stack
+  PartStore& store = channel->part_store;
+  JointPlan dwell;
+  ConveyorSource source{robot, arm, {}, config, belt, *channel, refused};
 };
 
 TEST_F(ConveyorSourceTest, RefusesWhatComesWhileTheArmLeavesALostPart) {
@@ -59,15 +62,16 @@ TEST_F(ConveyorSourceTest, RefusesWhatComesWhileTheArmLeavesALostPart) {
   ASSERT_EQ(refused.list.size(), 2u);
   EXPECT_EQ(refused.list[1].tag, Tag{2u});
   EXPECT_EQ(refused.list[1].reason, Refusal::kPartLost);
-  EXPECT_EQ(store->over.load(), 2u);
-  EXPECT_FALSE(store->request.full());
+  EXPECT_EQ(store.over.load(), 2u);
+  EXPECT_EQ(channel->plan_store.released.load(), 2u);
+  EXPECT_FALSE(store.request.full());
 }
 
 TEST_F(ConveyorSourceTest, KeepsTheFirstPathOfAPartUntilItBegins) {
   put_into_store(1, true);
   source.observe(Ticks{0});
   EXPECT_TRUE(refused.list.empty());
-  EXPECT_TRUE(store->request.full());
+  EXPECT_TRUE(store.request.full());
 }
 
 }  // namespace

@@ -44,23 +44,23 @@ void add_output(SegmentRequest& request, std::uint8_t pin, double mm) {
 }
 
 // Executes `plan`, and from its tick `change` on `window`, if there is one.
-Writes written(const MotionPlan& plan, const MotionPlan* window, std::int64_t change) {
+Writes written(const CartesianPlan& plan, const CartesianPlan* window, std::int64_t change) {
   Writes writes;
   PathPins pins;
   pins.begin();
-  const MotionPlan* active = &plan;
+  const CartesianPlan* active = &plan;
   double origin = 0.0;
   bool ended = false;
   for (std::int64_t tick = 1; !ended || pins.next().mask != 0; ++tick) {
     pins.written(Ticks{tick}, writes);
     if (window != nullptr && tick == change) {
       active = window;
-      pins.continue_with(*window->path());
-      origin = static_cast<double>(window->path()->origin.value());
+      pins.continue_with(*window);
+      origin = static_cast<double>(window->origin.value());
     }
-    const auto end = static_cast<double>(duration(*active).value());
+    const auto end = static_cast<double>(active->duration.value());
     ended = static_cast<double>(tick) - origin >= end;
-    pins.advance(*active, std::min(static_cast<double>(tick) - origin, end), ended);
+    pins.advance(Plan{Piece{*active}}, std::min(static_cast<double>(tick) - origin, end), ended);
   }
   pins.written(Ticks{1'000'000}, writes);  // nothing is left
   return writes;
@@ -71,8 +71,8 @@ TEST(PathPins, AChangeToAWindowSwitchesEachOutputOnceAndInItsTick) {
   const auto rig = std::make_unique<PathRig>(test::irb120());
   const Transform from = rig->tool_at(kReady);
   constexpr Ticks kEarliest{500};
-  auto plan = std::make_unique<MotionPlan>();
-  auto window = std::make_unique<MotionPlan>();
+  auto plan = std::make_unique<CartesianPlan>();
+  auto window = std::make_unique<CartesianPlan>();
   const auto make = [&](std::vector<SegmentRequest>& first, std::vector<SegmentRequest>& added) {
     ASSERT_EQ(rig->plan(kReady, first), CartesianPlanner::Progress::kDone);
     *plan = rig->planner.plan();
@@ -83,10 +83,10 @@ TEST(PathPins, AChangeToAWindowSwitchesEachOutputOnceAndInItsTick) {
   const auto all = lines(from, 20);
   std::vector<SegmentRequest> first(all.begin(), all.begin() + 10), added(all.begin() + 10, all.end());
   make(first, added);
-  const std::int64_t origin = window->path()->origin.value();
-  const auto same = static_cast<std::int64_t>(window->path()->same_until_ticks);
+  const std::int64_t origin = window->origin.value();
+  const auto same = static_cast<std::int64_t>(window->same_until_ticks);
   ASSERT_GT(same, 4);
-  const CartesianPlan without = *plan->path();
+  const CartesianPlan without = *plan;
 
   for (std::int64_t at = -3; at < same + 3; ++at) {
     SCOPED_TRACE(at);
@@ -101,12 +101,12 @@ TEST(PathPins, AChangeToAWindowSwitchesEachOutputOnceAndInItsTick) {
     add_output(with_added[0], 4, 0.0);
     make(with_first, with_added);
     if (HasFatalFailure()) return;
-    ASSERT_EQ(window->path()->origin.value(), origin);
+    ASSERT_EQ(window->origin.value(), origin);
 
     // The plan brakes at the place of pin 3, the window does not.
-    const CartesianSegment& last = window->path()->segments[9 - window->path()->dropped];
-    const double ticks = window->path()->table.time_at(last.from + 0.5 * last.length) / kTickSeconds;
-    const auto outputs = window->path()->outputs.view();
+    const CartesianSegment& last = window->segments[9 - window->dropped];
+    const double ticks = window->table.time_at(last.from + 0.5 * last.length) / kTickSeconds;
+    const auto outputs = window->outputs.view();
     ASSERT_GE(outputs.size(), 2u);
     EXPECT_EQ(outputs[outputs.size() - 2].pin, 3);
     EXPECT_NEAR(outputs[outputs.size() - 2].ticks, ticks, 1e-9);

@@ -48,29 +48,27 @@ class PlanBench : public OwnerBench {
     return std::visit(execute_it, *next);
   }
 
-  // Core 0 has executed so many ticks of the last plan that was sent.
-  void execute(std::uint32_t ticks) {
-    queued_ += static_cast<std::uint32_t>(taken_ - counted_);
-    counted_ = taken_;
-    channel->plan_store.progress.set({queued_, ticks});
-  }
-  // Core 0 takes the next plan from the queue.
+  // Core 0 has executed so many ticks of the last plan that it took.
+  void execute(std::uint32_t ticks) { channel->plan_store.progress.set({taken_, ticks}); }
+  // Core 0 takes the next plan; it stays in the queue for the test.
   void take_plan() {
     ASSERT_FALSE(channel->plan_store.plans.empty());
-    taken_ += channel->plan_store.plans.front()->entries();
+    ++taken_;
   }
   // The last pulse of all plans that were sent is emitted.
   void finish(std::uint32_t plans_over) {
-    while (!channel->plan_store.plans.empty()) channel->plan_store.plans.drop_front();
+    for (PlanStore& store = channel->plan_store; !store.plans.empty(); store.plans.drop_front()) {
+      store.release(store.plans.front()->stores());
+    }
     channel->plan_store.over.store(plans_over);
   }
-  // Entries of the queue of core 0.
-  [[nodiscard]] std::size_t entries() const {
+  // Plans that were sent, and one of them.
+  [[nodiscard]] std::size_t plans_sent() const {
     std::size_t count = 0;
-    while (channel->plan_store.plans.peek(count) != nullptr) ++count;
+    while (plan(count) != nullptr) ++count;
     return count;
   }
-  [[nodiscard]] const MotionPlan* plan(std::size_t index = 0) const { return channel->plan_store.plans.peek(index); }
+  [[nodiscard]] const Plan* plan(std::size_t index = 0) const { return channel->plan_store.plans.peek(index); }
 
   FakeLogic bus;
   const PlanningConfig config{};
@@ -80,8 +78,7 @@ class PlanBench : public OwnerBench {
   PlanActivity& plans = *owned;
 
  private:
-  std::size_t taken_ = 0, counted_ = 0;
-  std::uint32_t queued_ = 0;
+  std::uint32_t taken_ = 0;
 };
 
 // A line of the tool by this way, from where it is then.

@@ -40,7 +40,7 @@ struct PlanSourceTest : testing::Test {
 TEST_F(PlanSourceTest, AStopUsesNoMoreThanTheRestOfThePath) {
   EXPECT_TRUE(source.at_rest());
   const JointPlan plan = plan_joint_move(robot, {}, test::degrees({40, -30, 20, 10, -10, 30}), 1.0, SyncRule::kFig9);
-  ASSERT_TRUE(channel.plan_store.plans.try_push(plan));
+  ASSERT_TRUE(channel.plan_store.plans.try_push(Plan{Piece{plan}}));
   constexpr std::int64_t kAfter = 3'000;
   while (ticks < kAfter) tick();
   EXPECT_FALSE(source.at_rest());
@@ -57,6 +57,22 @@ TEST_F(PlanSourceTest, AStopUsesNoMoreThanTheRestOfThePath) {
   EXPECT_TRUE(source.at_rest());
 }
 
+TEST_F(PlanSourceTest, ReleasesPlansInTheirOrderAlsoThoseThatAStopDrops) {
+  const JointPlan plan = plan_joint_move(robot, {}, test::degrees({40, -30, 20, 10, -10, 30}), 1.0, SyncRule::kFig9);
+  for (int i = 0; i < 3; ++i) ASSERT_TRUE(channel.plan_store.plans.try_push(Plan{Piece{plan}}));
+  while (ticks < 1'000) tick();
+  EXPECT_EQ(channel.plan_store.progress.view().plan, 1u);
+  source.stop(StopKind::kQuick);
+  tick();
+  EXPECT_TRUE(channel.plan_store.plans.empty());
+  EXPECT_EQ(channel.plan_store.released.load(), 0u) << "the first one is still being executed";
+  while (!tick().stopped) ASSERT_LT(ticks, 20'000);
+  EXPECT_EQ(channel.plan_store.released.load(), 3u);
+  ASSERT_TRUE(channel.plan_store.plans.try_push(Plan{Piece{plan}}));
+  tick();
+  EXPECT_EQ(channel.plan_store.progress.view().plan, 4u);
+}
+
 TEST_F(PlanSourceTest, AQuickStopReplacesASoftOneThatBrakesAndNotTheOtherWayRound) {
   RobotModel smooth = robot;
   for (AxisModel& axis : smooth.axes) axis.max_jerk_rad_s3 = 3'000.0 * test::kDeg;
@@ -64,7 +80,7 @@ TEST_F(PlanSourceTest, AQuickStopReplacesASoftOneThatBrakesAndNotTheOtherWayRoun
     PlanSource braking{smooth, arm, channel, notes};
     const JointPlan plan =
         plan_joint_move(smooth, {}, test::degrees({40, 0, 0, 0, 0, 0}), 1.0, SyncRule::kFig9, ProfileKind::kSCurve);
-    EXPECT_TRUE(channel.plan_store.plans.try_push(plan));
+    EXPECT_TRUE(channel.plan_store.plans.try_push(Plan{Piece{plan}}));
     std::int64_t at = 0;
     while (at < 3'000) braking.advance(Ticks{++at}, {});
     for (const StopKind how : stops) {
@@ -84,7 +100,7 @@ TEST_F(PlanSourceTest, AQuickStopReplacesASoftOneThatBrakesAndNotTheOtherWayRoun
 TEST_F(PlanSourceTest, ANewTargetInMotionReplacesThePlanWithinTheLimits) {
   JointPlan first = plan_joint_move(robot, {}, test::degrees({40, -30, 20, 10, -10, 30}), 1.0, SyncRule::kFig9);
   first.tag = Tag{1};
-  ASSERT_TRUE(channel.plan_store.plans.try_push(first));
+  ASSERT_TRUE(channel.plan_store.plans.try_push(Plan{Piece{first}}));
   std::vector<PerAxis<Radians>> points(2);
   const auto run = [&](std::int64_t count) {
     for (; count > 0; --count) points.push_back(tick().position);
@@ -122,7 +138,7 @@ TEST_F(PlanSourceTest, ANewTargetInMotionReplacesThePlanWithinTheLimits) {
 TEST_F(PlanSourceTest, ATargetThatAJointCanOnlyReachBeyondItsLimitIsRefusedAndThePlanContinues) {
   JointPlan first = plan_joint_move(robot, {}, test::degrees({169, 0, 0, 0, 0, 0}), 1.0, SyncRule::kFig9);
   first.tag = Tag{1};
-  ASSERT_TRUE(channel.plan_store.plans.try_push(first));
+  ASSERT_TRUE(channel.plan_store.plans.try_push(Plan{Piece{first}}));
   while (ticks < first.duration.value() - 1'000) tick();
   // Braking already: 1.5 deg before its target. A slower move would have to brake more, but cannot.
   source.feed(request_to({0, 0, 0, 0, 0, 0}, 2));
@@ -136,7 +152,7 @@ TEST_F(PlanSourceTest, ATargetThatAJointCanOnlyReachBeyondItsLimitIsRefusedAndTh
   RobotModel narrow = robot;
   narrow.axes[0].max_rad = 60.0 * test::kDeg;
   PlanSource other{narrow, arm, channel, notes};
-  ASSERT_TRUE(channel.plan_store.plans.try_push(first));
+  ASSERT_TRUE(channel.plan_store.plans.try_push(Plan{Piece{first}}));
   std::int64_t at = 0;
   while (other.set_point().position[0] < Radians{55.0 * test::kDeg}) other.advance(Ticks{++at}, channel.control.view());
   other.feed(request_to({0, 0, 0, 0, 0, 0}, 3));
@@ -166,8 +182,8 @@ TEST_F(PlanSourceTest, ANewTargetAtRestIsAMove) {
 }
 
 TEST_F(PlanSourceTest, AStopDropsANewTargetThatWaitsInAHold) {
-  ASSERT_TRUE(channel.plan_store.plans.try_push(
-      plan_joint_move(robot, {}, test::degrees({40, 0, 0, 0, 0, 0}), 1.0, SyncRule::kFig9)));
+  const JointPlan plan = plan_joint_move(robot, {}, test::degrees({40, 0, 0, 0, 0, 0}), 1.0, SyncRule::kFig9);
+  ASSERT_TRUE(channel.plan_store.plans.try_push(Plan{Piece{plan}}));
   while (ticks < 2'000) tick();
   channel.control.set_hold(true);
   source.feed(request_to({-10, 0, 0, 0, 0, 0}, 2));

@@ -28,9 +28,9 @@ TEST(JointStage, AMoveThatJoinsNothingIsAnOrdinaryPlanFromTheEndOfTheOneBefore) 
   PlanBench bench;
   bench.accept_all(joint_move({10, 0, 0, 0, 90, 0}, 1), joint_move({20, 0, 0, 0, 90, 0}, 2));
   bench.work();
-  ASSERT_EQ(bench.entries(), 2u);
-  ASSERT_NE(bench.plan(1)->joint(), nullptr);
-  EXPECT_EQ(bench.plan(1)->joint()->start, degrees({10, 0, 0, 0, 90, 0}));
+  ASSERT_EQ(bench.plans_sent(), 2u);
+  ASSERT_NE(bench.plan(1)->pieces[0].joints, nullptr);
+  EXPECT_EQ(bench.plan(1)->pieces[0].joints->start, degrees({10, 0, 0, 0, 90, 0}));
   EXPECT_EQ(bench.owner.end(), degrees({20, 0, 0, 0, 90, 0}));
 }
 
@@ -39,10 +39,10 @@ TEST(JointStage, MovesWithABlendAreOneChainThatIsSentWhenNothingElseJoins) {
   bench.accept_all(joint_move({10, 0, 0, 0, 90, 0}, 1, 0.5), joint_move({20, 10, 0, 0, 90, 0}, 2, 0.5),
                    joint_move({30, 0, 0, 0, 90, 0}, 3), joint_move({40, 0, 0, 0, 90, 0}, 4));
   bench.work();
-  ASSERT_EQ(bench.entries(), 2u);
-  ASSERT_NE(bench.plan(0)->joint_chain(), nullptr);
-  EXPECT_EQ(bench.plan(0)->joint_chain()->count, 3u);
-  EXPECT_NE(bench.plan(1)->joint(), nullptr);
+  ASSERT_EQ(bench.plans_sent(), 2u);
+  ASSERT_NE(bench.plan(0)->pieces[0].chain, nullptr);
+  EXPECT_EQ(bench.plan(0)->pieces[0].chain->count, 3u);
+  EXPECT_NE(bench.plan(1)->pieces[0].joints, nullptr);
 }
 
 TEST(JointStage, AMoveAfterARefusedOneDoesNotJoin) {
@@ -51,8 +51,8 @@ TEST(JointStage, AMoveAfterARefusedOneDoesNotJoin) {
   EXPECT_TRUE(bench.accept(joint_move({900, 0, 0, 0, 90, 0}, 2)).has_value());
   bench.accept_all(joint_move({20, 0, 0, 0, 90, 0}, 3));
   bench.work();
-  ASSERT_EQ(bench.entries(), 2u);
-  EXPECT_NE(bench.plan(0)->joint(), nullptr);
+  ASSERT_EQ(bench.plans_sent(), 2u);
+  EXPECT_NE(bench.plan(0)->pieces[0].joints, nullptr);
 }
 
 // ---- PathStage ----
@@ -61,9 +61,9 @@ TEST(PathStage, MovesWithACornerBetweenThemAreOnePath) {
   PlanBench bench;
   bench.accept_all(shift(30, 0, 0, 5.0, 1), shift(0, 30, 0, 5.0, 2), shift(0, 0, 20, 0.0, 3));
   bench.work();
-  ASSERT_EQ(bench.entries(), 1u);
-  ASSERT_NE(bench.plan()->path(), nullptr);
-  EXPECT_EQ(bench.plan()->path()->count, 3u);
+  ASSERT_EQ(bench.plans_sent(), 1u);
+  ASSERT_NE(bench.plan()->only_path(), nullptr);
+  EXPECT_EQ(bench.plan()->only_path()->count, 3u);
 }
 
 TEST(PathStage, AMoveOutOfReachRefusesItsChainAndNoOther) {
@@ -72,8 +72,8 @@ TEST(PathStage, AMoveOutOfReachRefusesItsChainAndNoOther) {
   bench.work();
   EXPECT_THAT(bench.refused(Refusal::kUnreachable), ElementsAre(2u));
   EXPECT_THAT(bench.refused(Refusal::kChainRefused), ElementsAre(1u));
-  ASSERT_EQ(bench.entries(), 1u);
-  EXPECT_EQ(bench.plan()->joint()->start, kReady);
+  ASSERT_EQ(bench.plans_sent(), 1u);
+  EXPECT_EQ(bench.plan()->pieces[0].joints->start, kReady);
 }
 
 TEST(PathStage, AStopWhileItPlansRefusesAllItsMoves) {
@@ -98,15 +98,15 @@ class WindowStageTest : public testing::Test {
       if (bench.queue.full()) bench.work();
     }
     bench.work();
-    ASSERT_EQ(bench.entries(), 1u);
-    ASSERT_EQ(bench.plan()->path()->count, CartesianPlan::kMaxFirstSegments);
+    ASSERT_EQ(bench.plans_sent(), 1u);
+    ASSERT_EQ(bench.plan()->only_path()->count, CartesianPlan::kMaxFirstSegments);
     bench.take_plan();
   }
   static CartesianMove line(std::size_t i) {
     return shift(i % 2 == 0 ? 4 : 0, i % 2 == 0 ? 0 : 4, 0, 0.5, static_cast<std::uint32_t>(i + 1));
   }
   [[nodiscard]] std::uint32_t ticks() const {
-    return static_cast<std::uint32_t>(bench.plan()->path()->duration.value());
+    return static_cast<std::uint32_t>(bench.plan()->only_path()->duration.value());
   }
 
   PlanBench bench;
@@ -116,34 +116,34 @@ TEST_F(WindowStageTest, ContinuesThePlanThatIsBeingExecuted) {
   begin(4);
   bench.execute(0);
   bench.work();
-  for (std::uint32_t tick = 0; bench.entries() == 1 && tick < ticks(); tick += 20) {
+  for (std::uint32_t tick = 0; bench.plans_sent() == 1 && tick < ticks(); tick += 20) {
     bench.execute(tick);
     bench.work();
   }
-  ASSERT_EQ(bench.entries(), 2u);
-  EXPECT_TRUE(bench.plan(1)->path()->continues);
-  EXPECT_GT(bench.plan(1)->path()->count, 4u);  // with moves of the present plan that are not over
+  ASSERT_EQ(bench.plans_sent(), 2u);
+  EXPECT_TRUE(bench.plan(1)->only_path()->continues);
+  EXPECT_GT(bench.plan(1)->only_path()->count, 4u);  // with moves of the present plan that are not over
 }
 
 TEST_F(WindowStageTest, DoesNotPlanBeforeThePresentPlanHasStarted) {
   begin(4);
   bench.work();
-  EXPECT_EQ(bench.entries(), 1u);
+  EXPECT_EQ(bench.plans_sent(), 1u);
 }
 
 TEST_F(WindowStageTest, PlansItsMovesFromRestWhenItCameTooLate) {
   begin(4);
-  for (std::uint32_t tick = 0; bench.entries() == 1 && tick < ticks(); tick += 20) {
+  for (std::uint32_t tick = 0; bench.plans_sent() == 1 && tick < ticks(); tick += 20) {
     bench.execute(tick);
     bench.work();
   }
-  ASSERT_EQ(bench.entries(), 2u);
+  ASSERT_EQ(bench.plans_sent(), 2u);
   bench.channel->plan_store.late.store(1);  // core 0 has dropped it
   bench.finish(2);
   bench.work();
-  ASSERT_EQ(bench.entries(), 1u);
-  EXPECT_FALSE(bench.plan()->path()->continues);
-  EXPECT_EQ(bench.plan()->path()->count, 4u);
+  ASSERT_EQ(bench.plans_sent(), 1u);
+  EXPECT_FALSE(bench.plan()->only_path()->continues);
+  EXPECT_EQ(bench.plan()->only_path()->count, 4u);
   EXPECT_TRUE(started(*bench.plan(), 0, Ticks{0}).unasked_stop);
 }
 
@@ -160,27 +160,30 @@ TEST(CornerStage, JoinsAPathAndTheJointMoveBehindItIntoOnePlan) {
   PlanBench bench;
   bench.accept_all(shift(60, 0, 0, 10.0, 1), joint_move({20, 10, 0, 0, 80, 0}, 2, 0.5));
   bench.work();
-  ASSERT_EQ(bench.entries(), 1u);
-  ASSERT_TRUE(bench.plan()->is_joined());
-  EXPECT_EQ(bench.plan()->parts(), 2u);
+  ASSERT_EQ(bench.plans_sent(), 1u);
+  EXPECT_EQ(bench.plan()->count, 2u);
   EXPECT_EQ(target_of(*bench.plan()), degrees({20, 10, 0, 0, 80, 0}));
 }
 
-TEST(CornerStage, ThreePartsTakeTwoEntriesOfTheQueue) {
+TEST(CornerStage, JoinsAJointMoveBetweenTwoPathsWithBoth) {
   PlanBench bench;
   bench.accept_all(shift(60, 0, 0, 10.0, 1), joint_move({20, 10, 0, 0, 80, 0}, 2, 0.5), shift(0, 40, 0, 0.0, 3));
   bench.work();
-  ASSERT_TRUE(bench.plan()->is_joined());
-  EXPECT_EQ(bench.plan()->parts(), 3u);
-  EXPECT_EQ(bench.entries(), 2u);
+  ASSERT_EQ(bench.plans_sent(), 1u);
+  const Plan& plan = *bench.plan();
+  ASSERT_EQ(plan.count, 3u);
+  EXPECT_NE(plan.pieces[0].path, nullptr);
+  EXPECT_NE(plan.pieces[1].chain, nullptr);
+  EXPECT_NE(plan.pieces[2].path, plan.pieces[0].path);
+  EXPECT_EQ(plan.stores(), 2u);
 }
 
 TEST(CornerStage, AJointMoveThatIsNotThereYetIsNotWaitedFor) {
   PlanBench bench;
   bench.accept_all(shift(60, 0, 0, 10.0, 1), SetOutput{.pin = 1, .tag = 2});
   bench.work();
-  ASSERT_EQ(bench.entries(), 1u);
-  EXPECT_NE(bench.plan()->path(), nullptr);
+  ASSERT_EQ(bench.plans_sent(), 1u);
+  EXPECT_NE(bench.plan()->only_path(), nullptr);
 }
 
 TEST(CornerStage, AStopRefusesWhatIsJoinedInItsOrder) {
@@ -214,8 +217,8 @@ TEST(RetargetStage, SendsTheLatestMoveAndPlanningWaitsForTheAnswer) {
   EXPECT_TRUE(bench.channel->plan_store.plans.empty());
   bench.plans.retarget().on_answer({.kind = Answer::Kind::kRetargeted, .position = latest.target});
   bench.work();
-  ASSERT_EQ(bench.entries(), 1u);
-  EXPECT_EQ(bench.plan()->joint()->start, latest.target);
+  ASSERT_EQ(bench.plans_sent(), 1u);
+  EXPECT_EQ(bench.plan()->pieces[0].joints->start, latest.target);
 }
 
 TEST(RetargetStage, DropsTheMovesBeforeItOnlyWhenCore0HasReplacedThem) {
