@@ -59,7 +59,7 @@ struct Channel {
     request.to = to;
     request.number = number;
     fill(request);
-    requests.push_slots();
+    requests.push_slot();
   }
 };
 

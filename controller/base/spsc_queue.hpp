@@ -29,14 +29,10 @@ class SpscQueue {
     return true;
   }
 
-  // Producer, for large elements: the slots to fill, which push_slots() then adds all at once while there is room. Slot
-  // 0 may be filled even while the queue is full, the one at `index` if has_room(index).
-  [[nodiscard]] T& free_slot(std::size_t index = 0) noexcept {
-    return slots_[(tail_.load(std::memory_order_relaxed) + index) % kSlots];
-  }
-  void push_slots(std::size_t count = 1) noexcept {
-    tail_.store((tail_.load(std::memory_order_relaxed) + count) % kSlots, std::memory_order_release);
-  }
+  // Producer, for large elements: the slot to fill, which push_slot() then adds while there is room. It may be filled
+  // even while the queue is full.
+  [[nodiscard]] T& free_slot() noexcept { return slots_[tail_.load(std::memory_order_relaxed)]; }
+  void push_slot() noexcept { tail_.store(after(tail_.load(std::memory_order_relaxed)), std::memory_order_release); }
 
   // Producer. True when `count` elements can be added now; the consumer may make room at any time.
   [[nodiscard]] bool has_room(std::size_t count) const noexcept {

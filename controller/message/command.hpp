@@ -98,7 +98,7 @@ struct PoseMove {
 //     most Plan::kMaxMoves moves
 //   outputs at places on other moves: at most TimedOutputs::kMax,    a stop before them; always one behind them
 //     among the first moves
-//   S-curves follow S-curves, trapezoids trapezoids                  a stop between them
+//   no S-curve follows trapezoids behind the first moves (1)         a stop before it
 //
 // (1) The first CartesianPlan::kMaxFirstSegments moves, if they come before their planning has ended.
 struct CartesianMove {
