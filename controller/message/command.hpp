@@ -89,16 +89,15 @@ struct PoseMove {
 // stop between them: where a move has a blend radius, so that the corner may be rounded, and where the next one
 // continues in the same direction. With a blend radius they also lead into a joint move, in one plan with the path.
 //
-//   demanded of a chain                                              otherwise
-//   the next move comes before the arm brakes at the end of the last an exact stop
-//   every move is accepted                                           those of the chain that are not planned are refused
-//   the end of a path has the configuration of its start             the move is refused
-//   splines: at most kMaxSplines, among the first moves (1)          a stop before them
-//   a joint move: among the first moves, no outputs in the plan, at  a stop before it
-//     most Plan::kMaxMoves moves
-//   outputs at places on other moves: at most TimedOutputs::kMax,    a stop before them; always one behind them
-//     among the first moves
-//   no S-curve follows trapezoids behind the first moves (1)         a stop before it
+//   an exact stop follows   if the next move comes after the arm began to brake at the end of the last one
+//   is refused              what is not yet planned of a chain in which a move was refused
+//   is refused              a move whose end has another configuration of the arm than its start
+//   needs a stop before it  a spline that is not among the first moves (1), or beyond kMaxSplines of them
+//   needs a stop before it  a joint move behind the first moves (1), with outputs in its plan, or with more moves in it
+//                           than Plan::kMaxMoves
+//   needs a stop before it  an output at a place on another move: behind the first moves (1), beyond TimedOutputs::kMax
+//                           of them, and before the move behind it
+//   needs a stop before it  an S-curve behind trapezoids and behind the first moves (1)
 //
 // (1) The first CartesianPlan::kMaxFirstSegments moves, if they come before their planning has ended.
 struct CartesianMove {
