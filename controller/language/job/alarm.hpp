@@ -1,4 +1,4 @@
-// Why a program cannot go on.
+// Why a program cannot continue.
 #pragma once
 
 #include <array>

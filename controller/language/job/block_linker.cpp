@@ -90,13 +90,13 @@ void BlockLinker::link() noexcept {
 }
 
 void BlockLinker::check_ends() noexcept {
-  bool begun = false, ended = false;
+  bool started = false, ended = false;
   for (std::uint16_t at = 0; at < job_.record_count; ++at) {
     const Op op = record(at).op;
     if (no_instruction(op)) continue;
-    if (!begun && op != Op::kNop) error(at, "the first instruction must be NOP");
+    if (!started && op != Op::kNop) error(at, "the first instruction must be NOP");
     if (ended) return error(at, "an instruction behind END");
-    begun = true;
+    started = true;
     ended = op == Op::kEnd;
   }
   if (!ended) file_.error(1, "the last instruction must be END");
@@ -111,7 +111,7 @@ void BlockLinker::link_labels() noexcept {
   }
 }
 
-// A label itself goes on at the first label of this name, which is itself unless it is a second one.
+// A label itself continues at the first label of this name, which is itself unless it is a second one.
 void BlockLinker::link_label(std::uint16_t at, std::size_t operand) noexcept {
   const std::string_view name = memory_.text_at(text_of(memory_.operands_of(record(at))[operand]));
   for (std::uint16_t to = 0; to < job_.record_count; ++to) {
@@ -151,19 +151,19 @@ void BlockLinker::link_blocks() noexcept {
     if (closes(record(at).op) != BlockKind::kNone) close(at);
   }
   while (depth_ > 0) {
-    const std::uint16_t at = blocks_[--depth_].begin;
+    const std::uint16_t at = blocks_[--depth_].start;
     error(at, DiagnosticText{instruction_of(record(at).op).name} << " has no end");
   }
 }
 
 void BlockLinker::open(std::uint16_t at) noexcept {
   if (depth_ == kDeepestBlock) return error(at, "more than 32 blocks within each other");
-  blocks_[depth_++] = {.begin = at, .last = at};
+  blocks_[depth_++] = {.start = at, .last = at};
 }
 
 void BlockLinker::branch(std::uint16_t at) noexcept {
   const BlockKind kind = branches(record(at).op);
-  if (depth_ == 0 || opens(record(blocks_[depth_ - 1].begin).op) != kind) {
+  if (depth_ == 0 || opens(record(blocks_[depth_ - 1].start).op) != kind) {
     return error(at, DiagnosticText{instruction_of(record(at).op).name} << " is not inside of " << name_of_block(kind));
   }
   Block& block = blocks_[depth_ - 1];
@@ -177,25 +177,25 @@ void BlockLinker::branch(std::uint16_t at) noexcept {
 
 void BlockLinker::close(std::uint16_t at) noexcept {
   const BlockKind kind = closes(record(at).op);
-  if (depth_ == 0 || opens(record(blocks_[depth_ - 1].begin).op) != kind) {
+  if (depth_ == 0 || opens(record(blocks_[depth_ - 1].start).op) != kind) {
     return error(at, DiagnosticText{instruction_of(record(at).op).name} << " does not end " << name_of_block(kind));
   }
   const Block block = blocks_[--depth_];
   record(block.last).target = at;
-  if (kind == BlockKind::kFor || kind == BlockKind::kWhile) record(at).partner = block.begin;
+  if (kind == BlockKind::kFor || kind == BlockKind::kWhile) record(at).partner = block.start;
   if (kind == BlockKind::kFor) {
-    const Operand loop = memory_.operands_of(record(block.begin))[0];
+    const Operand loop = memory_.operands_of(record(block.start))[0];
     const Operand next = memory_.operands_of(record(at))[0];
     if (loop.what != next.what || loop.flags != next.flags || loop.a != next.a) {
       error(at,
-            DiagnosticText{"NEXT has another variable than FOR in line "} << std::uint32_t{record(block.begin).line});
+            DiagnosticText{"NEXT has another variable than FOR in line "} << std::uint32_t{record(block.start).line});
     }
   }
   if (kind == BlockKind::kIf || kind == BlockKind::kSwitch) close_if_or_switch(block, at);
 }
 
 void BlockLinker::close_if_or_switch(const Block& block, std::uint16_t end) noexcept {
-  for (std::uint16_t at = block.begin; at != end && at != kNowhere; at = record(at).target) record(at).partner = end;
+  for (std::uint16_t at = block.start; at != end && at != kNowhere; at = record(at).target) record(at).partner = end;
 }
 
 void BlockLinker::link_runs() noexcept {
@@ -228,7 +228,7 @@ void BlockLinker::link_runs() noexcept {
 void BlockLinker::end_run(std::uint16_t first, std::uint16_t last) noexcept {
   record(last).flags |= Record::kArcEnds;
   std::size_t points = 0;
-  std::uint16_t begin = first;
+  std::uint16_t start = first;
   for (std::uint16_t at = first; at != kNowhere; at = record(at).target) {
     ++points;
     bool ends = at == last;
@@ -237,9 +237,9 @@ void BlockLinker::end_run(std::uint16_t first, std::uint16_t last) noexcept {
     }
     if (!ends || at == first) continue;
     record(at).flags |= Record::kArcEnds;
-    if (points < 3) too_few_points(begin);
-    begin = at;
-    points = 1;  // the next arc begins here
+    if (points < 3) too_few_points(start);
+    start = at;
+    points = 1;  // the next arc starts here
   }
   if (first == last) too_few_points(first);
 }

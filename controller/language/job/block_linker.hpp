@@ -23,7 +23,7 @@ class BlockLinker {
  private:
   // An open block: its first instruction, and the last one that waits for its target.
   struct Block {
-    std::uint16_t begin = 0;
+    std::uint16_t start = 0;
     std::uint16_t last = 0;
     bool has_default = false;  // ELSE or DEFAULT was there
   };

@@ -88,26 +88,21 @@ bool HeaderReader::read(std::string_view line) noexcept {
   return true;
 }
 
-bool HeaderReader::enter(Section section, std::string_view name) noexcept {
-  const bool in_order = static_cast<int>(section) > static_cast<int>(section_);
-  if (!in_order) file_.error(1, DiagnosticText{name} << " is not expected here");
+void HeaderReader::enter(Section section, std::string_view name) noexcept {
+  if (section <= section_) file_.error(1, DiagnosticText{name} << " is not expected here");
   section_ = std::max(section_, section);
-  return in_order;
 }
 
 void HeaderReader::read_pseudo(std::string_view name, std::string_view value, std::size_t column) noexcept {
-  if (name == "JOB") {
-    (void)enter(Section::kJob, "/JOB");
-    return;
-  }
+  if (name == "JOB") return enter(Section::kJob, "/JOB");
   if (section_ == Section::kNothing) {
     file_.error(1, "expected /JOB");
     section_ = Section::kJob;
   }
   if (name == "NAME") return read_name(value, column);
-  if (name == "POS") return (void)enter(Section::kPos, "//POS");
-  if (name == "ARGINFO") return (void)enter(Section::kArguments, "//ARGINFO");
-  if (name == "INST") return (void)enter(Section::kInst, "//INST");
+  if (name == "POS") return enter(Section::kPos, "//POS");
+  if (name == "ARGINFO") return enter(Section::kArguments, "//ARGINFO");
+  if (name == "INST") return enter(Section::kInst, "//INST");
   std::array<std::int64_t, 32> numbers{};
   if (name == "NPOS") {
     const int count = read_numbers(value, column, npos_.size(), numbers);
@@ -150,7 +145,7 @@ void HeaderReader::read_name(std::string_view value, std::size_t column) noexcep
     return file_.error(column, DiagnosticText{"a job named "} << name << " is loaded already");
   }
   const TextRef line = memory_.headers[memory_.header_count - 1].text;
-  job_->name = {static_cast<std::uint16_t>(line.begin + column - 1), static_cast<std::uint16_t>(name.size())};
+  job_->name = {static_cast<std::uint16_t>(line.start + column - 1), static_cast<std::uint16_t>(name.size())};
 }
 
 void HeaderReader::read_postype(std::string_view value, std::size_t column) noexcept {
@@ -180,19 +175,23 @@ void HeaderReader::read_rconf(std::string_view value, std::size_t column) noexce
 
 int HeaderReader::read_numbers(std::string_view value, std::size_t column, std::size_t most,
                                std::array<std::int64_t, 32>& numbers) noexcept {
+  const auto fail = [&](std::size_t at, std::string_view text) {
+    file_.error(column + at, text);
+    return -1;
+  };
   std::size_t at = 0;
   int count = 0;
   while (true) {
     while (at < value.size() && value[at] == ' ') ++at;
-    const std::size_t begin = at;
+    const std::size_t start = at;
     std::int64_t number = 0;
-    for (; at < value.size() && is_digit(value[at]) && at < begin + 9; ++at) number = 10 * number + (value[at] - '0');
-    if (at == begin) return file_.error(column + at, "expected a whole number"), -1;
-    if (static_cast<std::size_t>(count) == most) return file_.error(column + begin, "too many numbers"), -1;
+    for (; at < value.size() && is_digit(value[at]) && at < start + 9; ++at) number = 10 * number + (value[at] - '0');
+    if (at == start) return fail(at, "expected a whole number");
+    if (static_cast<std::size_t>(count) == most) return fail(start, "too many numbers");
     numbers[static_cast<std::size_t>(count++)] = number;
     while (at < value.size() && value[at] == ' ') ++at;
     if (at == value.size()) return count;
-    if (value[at] != ',') return file_.error(column + at, "expected a comma"), -1;
+    if (value[at] != ',') return fail(at, "expected a comma");
     ++at;
   }
 }

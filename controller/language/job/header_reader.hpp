@@ -52,7 +52,7 @@ class HeaderReader {
   void read_position(std::string_view line) noexcept;
   void read_postype(std::string_view value, std::size_t column) noexcept;
   void read_rconf(std::string_view value, std::size_t column) noexcept;
-  [[nodiscard]] bool enter(Section section, std::string_view name) noexcept;
+  void enter(Section section, std::string_view name) noexcept;
   // Up to `most` whole numbers between commas; -1 after an error.
   [[nodiscard]] int read_numbers(std::string_view value, std::size_t column, std::size_t most,
                                  std::array<std::int64_t, 32>& numbers) noexcept;

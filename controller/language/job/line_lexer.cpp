@@ -10,7 +10,7 @@ namespace armature::job {
 namespace {
 
 constexpr int kDeepestIndex = 3;
-constexpr std::size_t kMostDigitsOfNumber = 5;
+constexpr std::size_t kMaxDigitsOfNumber = 5;
 
 bool is_capital(char character) {
   return character >= 'A' && character <= 'Z';
@@ -44,10 +44,10 @@ std::optional<TextRef> add_text(ProgramMemory& memory, std::string_view text) no
 bool LineLexer::lex(std::size_t from, LexedLine& result) noexcept {
   at_ = from;
   while (true) {
-    const std::size_t begin = at_;
+    const std::size_t start = at_;
     while (peek() == ' ') ++at_;
-    const std::size_t blanks = at_ - begin;
-    if (blanks > 255) return fail(begin, "more than 255 blanks");
+    const std::size_t blanks = at_ - start;
+    if (blanks > 255) return fail(start, "more than 255 blanks");
     gap_ = static_cast<std::uint8_t>(blanks);
     if (at_ == line_.size()) {
       result.blanks_after = gap_;
@@ -268,7 +268,7 @@ bool LineLexer::lex_variable(LexedLine& result, std::string_view letters) noexce
   std::uint32_t number = 0;
   while (is_digit(peek(size + digits))) {
     number = 10 * number + static_cast<std::uint32_t>(peek(size + digits) - '0');
-    if (++digits > kMostDigitsOfNumber) return fail(at_, "a number of more than 5 digits");
+    if (++digits > kMaxDigitsOfNumber) return fail(at_, "a number of more than 5 digits");
   }
   if (digits == 0) return fail(at_, DiagnosticText{"expected a number behind '"} << letters << "'");
   if (number >= kNowhere) return fail(at_, "a number above 65534");

@@ -87,10 +87,10 @@ bool Loader::load(std::string_view file, std::string_view text) noexcept {
 void Loader::read_line(std::string_view line) noexcept {
   const bool strange =
       std::any_of(line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) >= 0x80; });
-  const bool begun = memory_.record_count > job_.first_record;
-  if (begun && part(line, 0, 1) == "/") {
+  const bool in_instructions = memory_.record_count > job_.first_record;
+  if (in_instructions && part(line, 0, 1) == "/") {
     error(1, "a line of the header behind the first instruction");
-  } else if (begun || !header_.read(line)) {
+  } else if (in_instructions || !header_.read(line)) {
     read_instruction(line);
   } else if (strange) {
     file_.warn(1, "the line has characters that are not ASCII");
@@ -158,14 +158,14 @@ void Loader::add_record(Op op, std::string_view line, std::size_t indent, const 
   if (indent > 0) {
     // Successive lines share their blanks.
     const bool same = memory_.record_count > job_.first_record &&
-                      memory_.text_at({memory_.records[memory_.record_count - 1].indent_begin,
+                      memory_.text_at({memory_.records[memory_.record_count - 1].indent_start,
                                        memory_.records[memory_.record_count - 1].indent_size}) == part(line, 0, indent);
     if (same) {
-      record.indent_begin = memory_.records[memory_.record_count - 1].indent_begin;
+      record.indent_start = memory_.records[memory_.record_count - 1].indent_start;
     } else {
       const auto blanks = add_text(memory_, part(line, 0, indent));
       if (!blanks) return error(1, "the program memory has no room for more text");
-      record.indent_begin = blanks->begin;
+      record.indent_start = blanks->start;
     }
   }
   std::copy_n(lexed.operands.begin(), lexed.count,

@@ -8,8 +8,8 @@
 namespace armature::job {
 namespace {
 
-constexpr int kMostDigits = 15;  // all numbers of so many digits differ as double
-constexpr int kMostExponent = 99;
+constexpr int kMaxDigits = 15;  // all numbers of so many digits differ as double
+constexpr int kMaxExponent = 99;
 constexpr std::uint8_t kPlusForm = 0x10;
 constexpr std::uint8_t kSmallForm = 0x20;
 constexpr int kZerosShift = 5;
@@ -40,14 +40,14 @@ std::optional<NumberText> read_number(std::string_view text) noexcept {
   for (; more(); ++at, ++whole) {
     if (mantissa == 0 && text[at] == '0') ++zeros;
     if (mantissa > 0 || text[at] != '0') ++digits;
-    if (digits > kMostDigits) return std::nullopt;
+    if (digits > kMaxDigits) return std::nullopt;
     mantissa = 10 * mantissa + (text[at] - '0');
   }
   if (whole == zeros && zeros > 0) --zeros;  // the zero of 0.5 does not lead
   if (at < text.size() && text[at] == '.') {
     for (++at; more(); ++at, ++decimals) {
       if (mantissa > 0 || text[at] != '0') ++digits;
-      if (digits > kMostDigits || decimals == kMostDigits) return std::nullopt;
+      if (digits > kMaxDigits || decimals == kMaxDigits) return std::nullopt;
       mantissa = 10 * mantissa + (text[at] - '0');
     }
     if (decimals == 0) return std::nullopt;
@@ -67,7 +67,7 @@ std::optional<NumberText> read_number(std::string_view text) noexcept {
     for (; from < text.size() && is_digit(text[from]) && count < 3; ++from, ++count) {
       exponent = 10 * exponent + (text[from] - '0');
     }
-    if (count == 0 || exponent > kMostExponent) return std::nullopt;
+    if (count == 0 || exponent > kMaxExponent) return std::nullopt;
     number.exponent = static_cast<std::int16_t>(minus ? -exponent : exponent);
     number.exponent_form =
         static_cast<std::uint8_t>(count | (exponent_plus ? kPlusForm : 0) | (text[at] == 'e' ? kSmallForm : 0));

@@ -24,7 +24,7 @@ enum class OperandKind : std::uint8_t {
 
 // A part of the pool of texts.
 struct TextRef {
-  std::uint16_t begin = 0;
+  std::uint16_t start = 0;
   std::uint16_t size = 0;
 };
 
@@ -39,7 +39,7 @@ struct Operand {
   std::uint8_t what = 0;
   std::uint8_t flags = 0;
   std::uint8_t gap = 0;  // blanks before it
-  std::uint16_t a = 0;   // number of a variable or of a position; begin of a text; an exponent + 1000, or 0
+  std::uint16_t a = 0;   // number of a variable or of a position; start of a text; an exponent + 1000, or 0
   std::uint8_t b = 0;    // digits of `a` as written; form of an exponent
   NumberForm form = 0;   // of `number`
   double number = 0.0;
@@ -51,7 +51,7 @@ static_assert(sizeof(Operand) == 16);
   return {operand.a, static_cast<std::uint16_t>(operand.b | operand.form << 8)};
 }
 constexpr void set_text(Operand& operand, TextRef text) noexcept {
-  operand.a = text.begin;
+  operand.a = text.start;
   operand.b = static_cast<std::uint8_t>(text.size & 0xFF);
   operand.form = static_cast<NumberForm>(text.size >> 8);
 }

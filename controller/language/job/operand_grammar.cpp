@@ -85,7 +85,8 @@ bool OperandGrammar::match(char letter, const Instruction& instruction) noexcept
     case 's':
       return match_value();
     case 'c':
-      return (void)take(Word::kForExpress), match_condition();
+      static_cast<void>(take(Word::kForExpress));
+      return match_condition();
     case 'g':
       return match_guard();
     case 'l':

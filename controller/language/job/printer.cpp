@@ -107,7 +107,7 @@ class OperandWriter {
 
 // Writes the line up to an operand, with the blanks before it.
 void write_up_to(const ProgramMemory& memory, const Record& record, std::size_t end, TextSink& out) {
-  out.write({memory.text.data() + record.indent_begin, record.indent_size});
+  out.write({memory.text.data() + record.indent_start, record.indent_size});
   // A label is its operand, which writes the star.
   if (record.op != Op::kLabel) out.write(instruction_of(record.op).name);
   const std::span<const Operand> operands = memory.operands_of(record);

@@ -18,7 +18,7 @@ void print_record(const ProgramMemory& memory, const Record& record, TextSink& o
 // The column, from 1, at which an operand of a record stands in its line.
 [[nodiscard]] std::size_t column_of(const ProgramMemory& memory, const Record& record, std::size_t operand) noexcept;
 
-// One line for each record: its number, line, operation, flags, where it goes on, and its operands; with a heading.
+// One line for each record: its number, line, operation, flags, where it continues, and its operands; with a heading.
 void list_job(const ProgramMemory& memory, const JobInfo& job, TextSink& out) noexcept;
 
 }  // namespace armature::job

@@ -37,14 +37,14 @@ struct Record {
   std::uint8_t operand_count = 0;
   std::uint8_t blanks_after = 0;
   std::uint16_t first_operand = 0;
-  // A record of the same job: where a jump, or a condition that is false, goes on; of a run of MOVC or MOVS its next
+  // A record of the same job: where a jump, or a condition that is false, continues; of a run of MOVC or MOVS its next
   // point. kNowhere: none.
   std::uint16_t target = kNowhere;
   // The other end of a block: ENDIF of ELSE and ELSEIF, WHILE of ENDWHILE, FOR of NEXT, ENDSWITCH of CASE; the point
   // before in a run of MOVC or MOVS.
   std::uint16_t partner = kNowhere;
   std::uint16_t line = 0;
-  std::uint16_t indent_begin = 0;  // the blanks before the instruction, in the pool of texts
+  std::uint16_t indent_start = 0;  // the blanks before the instruction, in the pool of texts
   std::uint8_t indent_size = 0;
 };
 static_assert(sizeof(Record) == 16);
@@ -95,7 +95,7 @@ struct ProgramMemory {
   // How much of each is in use.
   std::size_t job_count = 0, record_count = 0, operand_count = 0, position_count = 0, header_count = 0, text_size = 0;
 
-  [[nodiscard]] std::string_view text_at(TextRef ref) const noexcept { return {text.data() + ref.begin, ref.size}; }
+  [[nodiscard]] std::string_view text_at(TextRef ref) const noexcept { return {text.data() + ref.start, ref.size}; }
   [[nodiscard]] std::span<const Record> records_of(const JobInfo& job) const noexcept {
     return {records.data() + job.first_record, job.record_count};
   }

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kAxisR = 3, kAxisT = 5, kAxisS = 0;
 constexpr std::array<std::size_t, 3> kTurningAxes{kAxisR, kAxisT, kAxisS};  // of bits 3, 4 and 5
 constexpr int kFirstTurnBit = 3;
-constexpr int kMostTurnsTried = 3;
+constexpr int kMaxTurnsTried = 3;
 // At these singularities an angle of a branch is that of the previous joints.
 constexpr unsigned kFreeAngle = kShoulderSingular | kWristSingular | kFoldedSingular;
 
@@ -47,7 +47,7 @@ std::optional<TurnedAngle> with_turn_bit(double angle_rad, std::optional<bool> b
   const JointRange range{axis.min_rad, axis.max_rad, 1.0};
   const double from = within_turn(angle_rad);
   std::optional<TurnedAngle> best;
-  for (int turns = -kMostTurnsTried; turns <= kMostTurnsTried; ++turns) {
+  for (int turns = -kMaxTurnsTried; turns <= kMaxTurnsTried; ++turns) {
     double angle = from + turns * kTurn_rad;
     if (turns == 0 && angle_rad == from) angle = angle_rad;
     if ((beyond && beyond_half_turn(angle) != *beyond) || limit_excess(angle, range) > 0.0) continue;
