@@ -14,9 +14,13 @@
 // `?` before a letter: the operand may be missing. All letters from there on may then be missing.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string_view>
+
+#include "controller/language/job/words.hpp"
 
 namespace armature::job {
 
@@ -98,6 +102,99 @@ struct Instruction {
   std::uint16_t tags = 0;   // mask of TagName
   std::string_view text{};  // what it does, for the documentation
 };
+
+// True for a table with one row for each supported operation, in the order of Op.
+template <class Rows>
+[[nodiscard]] constexpr bool has_each_op(const Rows& rows) noexcept {
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (rows[i].op != static_cast<Op>(i)) return false;
+  }
+  return rows.size() == static_cast<std::size_t>(Op::kUnsupported);
+}
+
+// A mask of TagName.
+template <class... Names>
+[[nodiscard]] constexpr std::uint16_t tag_mask(Names... names) noexcept {
+  return static_cast<std::uint16_t>(((1U << static_cast<unsigned>(names)) | ...));
+}
+
+inline constexpr auto kJointTags = tag_mask(TagName::kVj, TagName::kPl, TagName::kAcc, TagName::kDec);
+inline constexpr auto kPathTags =
+    tag_mask(TagName::kV, TagName::kVr, TagName::kVe, TagName::kPl, TagName::kCr, TagName::kAcc, TagName::kDec);
+
+// Those that are supported, in the order of Op.
+inline constexpr std::array kInstructions{
+    Instruction{Op::kBlank, "", "", 0, "an empty line"},
+    Instruction{Op::kComment, "'", "w", 0, "a comment"},
+    Instruction{Op::kLabel, "*", "", 0, "the target of JUMP"},
+    Instruction{Op::kComm, "COMM", "w", 0, "an instruction that is switched off"},
+    Instruction{Op::kNop, "NOP", "", 0, "does nothing; the first instruction of a job"},
+    Instruction{Op::kEnd, "END", "", 0, "ends the job, or returns to the calling one"},
+    Instruction{Op::kMovj, "MOVJ", "mt?y", kJointTags, "moves all joints; UNTIL IN#(n)=ON ends it early"},
+    Instruction{Op::kMovl, "MOVL", "mt?y", kPathTags, "moves the tool on a line; UNTIL as in MOVJ"},
+    Instruction{Op::kMovc, "MOVC", "mt", kPathTags, "moves the tool on arcs through three or more points"},
+    Instruction{Op::kMovs, "MOVS", "mt", kPathTags, "moves the tool on a smooth curve through points"},
+    Instruction{Op::kSmovl, "SMOVL", "mt?y", kPathTags, "as MOVL"},
+    Instruction{Op::kSmovc, "SMOVC", "mt", kPathTags, "as MOVC"},
+    Instruction{Op::kImov, "IMOV", "pt?f", static_cast<std::uint16_t>(kPathTags | kJointTags),
+                "moves by a position variable, in a frame"},
+    Instruction{Op::kRefp, "REFP", "vm", 0, "a reference point; no motion"},
+    Instruction{Op::kSpeed, "SPEED", "t", tag_mask(TagName::kVj, TagName::kV, TagName::kVr),
+                "the speeds of moves without one"},
+    Instruction{Op::kSfton, "SFTON", "p?f", 0, "shifts the positions of the moves that follow"},
+    Instruction{Op::kSftof, "SFTOF", "", 0, "ends the shift"},
+    Instruction{Op::kMframe, "MFRAME", "uppp", 0, "a user frame from origin, point on x and point in xy"},
+    Instruction{Op::kCnvrt, "CNVRT", "ppf?k", 0, "converts a position into a frame"},
+    Instruction{Op::kGets, "GETS", "dv", 0, "reads a system variable: $PX000, $PX001, $RV"},
+    Instruction{Op::kSete, "SETE", "pxv", 0, "sets an element of a position; 0 sets all"},
+    Instruction{Op::kGete, "GETE", "npx", 0, "reads an element of a position"},
+    Instruction{Op::kSet, "SET", "de", 0, "sets a variable"},
+    Instruction{Op::kAdd, "ADD", "dv", 0, "adds to a variable"},
+    Instruction{Op::kSub, "SUB", "dv", 0, "subtracts from a variable"},
+    Instruction{Op::kMul, "MUL", "dv", 0, "multiplies a variable"},
+    Instruction{Op::kDiv, "DIV", "dv", 0, "divides a variable"},
+    Instruction{Op::kInc, "INC", "n", 0, "adds 1"},
+    Instruction{Op::kDec, "DEC", "n", 0, "subtracts 1"},
+    Instruction{Op::kAnd, "AND", "nv", 0, "bits of both"},
+    Instruction{Op::kOr, "OR", "nv", 0, "bits of either"},
+    Instruction{Op::kXor, "XOR", "nv", 0, "bits of one of both"},
+    Instruction{Op::kNot, "NOT", "nv", 0, "bits inverted"},
+    Instruction{Op::kSqrt, "SQRT", "nv", 0, "square root"},
+    Instruction{Op::kSin, "SIN", "nv", 0, "sine of degrees"},
+    Instruction{Op::kCos, "COS", "nv", 0, "cosine of degrees"},
+    Instruction{Op::kAtan, "ATAN", "nv", 0, "arc tangent in degrees"},
+    Instruction{Op::kClear, "CLEAR", "d?v", 0, "sets variables to 0 from one on: a number of them, or ALL"},
+    Instruction{Op::kJump, "JUMP", "lg", 0, "goes on at a label, or in another job"},
+    Instruction{Op::kCall, "CALL", "jag", 0, "executes another job and returns"},
+    Instruction{Op::kGetarg, "GETARG", "dv", 0, "reads an argument of CALL"},
+    Instruction{Op::kRet, "RET", "?vg", 0, "returns to the calling job, with a value"},
+    Instruction{Op::kPause, "PAUSE", "g", 0, "waits for the operator"},
+    Instruction{Op::kAbort, "ABORT", "", 0, "ends the program"},
+    Instruction{Op::kMsg, "MSG", "w", 0, "shows a text"},
+    Instruction{Op::kSetualm, "SETUALM", "vq?vt", tag_mask(TagName::kSmode), "raises an alarm of the user"},
+    Instruction{Op::kIfthenexp, "IFTHENEXP", "c", 0, "executes a block if a condition holds"},
+    Instruction{Op::kIfthen, "IFTHEN", "c", 0, "as IFTHENEXP"},
+    Instruction{Op::kElseifexp, "ELSEIFEXP", "c", 0, "otherwise, if another condition holds"},
+    Instruction{Op::kElseif, "ELSEIF", "c", 0, "as ELSEIFEXP"},
+    Instruction{Op::kElse, "ELSE", "", 0, "otherwise"},
+    Instruction{Op::kEndif, "ENDIF", "", 0, "ends IFTHENEXP"},
+    Instruction{Op::kWhileexp, "WHILEEXP", "c", 0, "repeats a block while a condition holds"},
+    Instruction{Op::kWhile, "WHILE", "c", 0, "as WHILEEXP"},
+    Instruction{Op::kEndwhile, "ENDWHILE", "", 0, "ends WHILEEXP"},
+    Instruction{Op::kFor, "FOR", "nh", tag_mask(TagName::kStart, TagName::kStep), "repeats a block for each value"},
+    Instruction{Op::kNext, "NEXT", "n", 0, "ends FOR"},
+    Instruction{Op::kSwitch, "SWITCH", "v", 0, "selects a CASE"},
+    Instruction{Op::kCase, "CASE", "v", 0, "a block for one value"},
+    Instruction{Op::kDefault, "DEFAULT", "", 0, "the block for all other values"},
+    Instruction{Op::kEndswitch, "ENDSWITCH", "", 0, "ends SWITCH"},
+    Instruction{Op::kTimer, "TIMER", "t", tag_mask(TagName::kT), "stands still for a time"},
+    Instruction{Op::kWait, "WAIT", "?ct", tag_mask(TagName::kT), "waits for a condition, at most for a time"},
+    Instruction{Op::kCwait, "CWAIT", "", 0, "waits until the arm stands"},
+    Instruction{Op::kDout, "DOUT", "os", 0, "switches outputs"},
+    Instruction{Op::kDin, "DIN", "ni", 0, "reads inputs or outputs into a variable"},
+    Instruction{Op::kPulse, "PULSE", "otg", tag_mask(TagName::kT), "switches an output on for a time; does not wait"},
+};
+static_assert(has_each_op(kInstructions));
 
 // Of an operation, and of a name in a program; nothing if no instruction has this name. Operations from kUnsupported on
 // have one entry each: Op is then kUnsupported plus its place among these.

@@ -25,6 +25,15 @@ void Variables::reset() noexcept {
   for (auto& type : globals_) type.fill(0.0);
   positions_.fill({});
   depth_ = 0;
+  returned_ = 0.0;
+}
+
+void Variables::set_positions(const ProgramMemory& memory) noexcept {
+  for (const Position& stated : std::span{memory.positions}.first(memory.position_count)) {
+    if (stated.letter != PositionLetter::kP) continue;
+    PositionValue* variable = position({VariableType::kP, false, static_cast<double>(stated.number)});
+    if (variable != nullptr) *variable = PositionValue::of(stated);
+  }
 }
 
 Alarm Variables::enter(const JobInfo& job) noexcept {

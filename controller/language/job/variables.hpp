@@ -41,10 +41,12 @@ class Variables {
  public:
   static constexpr std::size_t kLocalNumbers = 1'024;  // of all calls together
   static constexpr std::size_t kLocalPositions = 64;
-  static constexpr std::size_t kMostCalls = 16;
+  static constexpr std::size_t kMaxCalls = 16;
 
-  // All 0, no position set, no call.
+  // All 0, no position set, nothing returned, no call.
   void reset() noexcept;
+  // Those that the headers of all jobs state.
+  void set_positions(const ProgramMemory& memory) noexcept;
 
   // Gives a call its local variables, which are 0. kLocals: there is no room.
   [[nodiscard]] Alarm enter(const JobInfo& job) noexcept;
@@ -56,6 +58,9 @@ class Variables {
   [[nodiscard]] Alarm store(const VariableId& id, double value) noexcept;
   // A position variable; null if there is none of this number.
   [[nodiscard]] PositionValue* position(const VariableId& id) noexcept;
+  // $RV: the value of the last RET that had one.
+  [[nodiscard]] double returned() const noexcept { return returned_; }
+  void set_returned(double value) noexcept { returned_ = value; }
 
  private:
   static constexpr std::size_t kNumericTypes = 4;  // B, I, D, R
@@ -69,8 +74,9 @@ class Variables {
   std::array<PositionValue, kVariablesOfType> positions_{};
   std::array<double, kLocalNumbers> local_numbers_{};
   std::array<PositionValue, kLocalPositions> local_positions_{};
-  std::array<Call, kMostCalls + 1> calls_{};
+  std::array<Call, kMaxCalls + 1> calls_{};
   std::size_t depth_ = 0;
+  double returned_ = 0.0;
 };
 
 }  // namespace armature::job

@@ -23,7 +23,10 @@ class RecordingPort final : public ProgramPort {
     sent.emplace_back(command, place);
     if (const auto* output = std::get_if<SetOutput>(&command)) outputs[output->pin] = output->level;
   }
-  [[nodiscard]] bool stop() noexcept override { return ++stops, true; }
+  [[nodiscard]] bool stop() noexcept override {
+    ++stops;
+    return true;
+  }
   [[nodiscard]] bool done() const noexcept override { return arrived; }
   [[nodiscard]] JointAngles joints() const noexcept override { return at; }
   [[nodiscard]] bool level(std::uint8_t pin, bool output) noexcept override {

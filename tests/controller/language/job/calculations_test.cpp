@@ -1,12 +1,13 @@
-// Numbers, and what they may not be.
+#include "controller/language/job/calculations.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <string>
 
 #include "tests/controller/language/job/machine_rig.hpp"
-#include "tests/controller/support/random.hpp"
 
 namespace armature::job {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 using test::alarm_of;
 using test::executed;
 
-TEST(MachineData, CalculatesWithVariables) {
+TEST(Calculations, CalculatesWithVariables) {
   auto rig = executed(
       "SET B000 7\nSET I000 -5\nSET D000 100000\nSET R000 2.5\nADD I000 3\nSUB D000 I000\nMUL R000 R000\n"
       "DIV D000 4\nINC B000\nDEC I000\nSET B001 12\nAND B001 10\nSET B002 12\nOR B002 3\nSET B003 6\n"
@@ -33,98 +34,20 @@ TEST(MachineData, CalculatesWithVariables) {
   EXPECT_NEAR(rig.r(4), 45.0, 1e-13);
 }
 
-TEST(MachineData, TakesTheSineOfAnyNumberOfTurns) {
+TEST(Calculations, TakesTheSineOfAnyNumberOfTurns) {
   auto rig = executed("SET R000 360000000\nADD R000 30\nSIN R001 R000\nADD R000 30\nCOS R002 R000\n");
   EXPECT_NEAR(rig.r(1), 0.5, 1e-15);
   EXPECT_NEAR(rig.r(2), 0.5, 1e-15);
 }
 
-TEST(MachineData, CutsDecimalsOffTowardsZero) {
+TEST(Calculations, CutsDecimalsOffTowardsZero) {
   auto rig = executed("SET I000 2.9\nSET I001 -2.9\nSET R000 -2.9\n");
   EXPECT_EQ(rig.i(0), 2);
   EXPECT_EQ(rig.i(1), -2);
   EXPECT_EQ(rig.r(0), -2.9);
 }
 
-TEST(MachineData, EvaluatesExpressionsByPrecedence) {
-  auto rig = executed(
-      "SET I000 3\nSET D000 EXPRESS 2 + I000 * 4\nSET D001 EXPRESS ( 2 + I000 ) * 4\n"
-      "SET D002 EXPRESS 20 - 8 - 4\nSET D003 EXPRESS 100 / 5 / 2\nSET D004 EXPRESS -I000 * ( 1 - 3 )\n"
-      "SET D005 EXPRESS 2 * ( 3 + ( 4 - 1 ) * 2 ) - 1\nSET D006 EXPRESS 10 - - ( 2 + 3 )\n"
-      "SET D007 EXPRESS - ( 2 + 3 ) * 2 - 1\n");
-  EXPECT_EQ(rig.d(0), 14);
-  EXPECT_EQ(rig.d(1), 20);
-  EXPECT_EQ(rig.d(2), 8);
-  EXPECT_EQ(rig.d(3), 10);
-  EXPECT_EQ(rig.d(4), 6);
-  EXPECT_EQ(rig.d(5), 17);
-  EXPECT_EQ(rig.d(6), 15);
-  EXPECT_EQ(rig.d(7), -11);
-}
-
-// A random calculation as text, with its value by another method: recursive descent while it is written.
-struct RandomTerm {
-  test::Random& random;
-  std::string text{};
-
-  double sum(int depth) {
-    double value = product(depth);
-    for (std::int64_t more = random.integer(0, 2); more > 0; --more) {
-      const bool add = random.integer(0, 1) == 0;
-      text += add ? " + " : " - ";
-      const double other = product(depth);
-      value = add ? value + other : value - other;
-    }
-    return value;
-  }
-  double product(int depth) {
-    double value = factor(depth);
-    for (std::int64_t more = random.integer(0, 2); more > 0; --more) {
-      text += " * ";
-      value *= factor(depth);
-    }
-    return value;
-  }
-  double factor(int depth) {
-    if (depth > 0 && random.integer(0, 2) == 0) {
-      text += "( ";
-      const double value = sum(depth - 1);
-      text += " )";
-      return value;
-    }
-    const std::int64_t value = random.integer(0, 9);
-    text += std::to_string(value);
-    return static_cast<double>(value);
-  }
-};
-
-TEST(MachineData, EvaluatesRandomExpressions) {
-  test::Random random{411};
-  int compared = 0;
-  for (int draw = 0; draw < 400; ++draw) {
-    RandomTerm term{random};
-    const double value = term.sum(2);
-    if (term.text.size() > 150 || std::fabs(value) > 1e9) continue;
-    auto rig = executed("SET D000 EXPRESS " + term.text + "\n");
-    EXPECT_EQ(rig.d(0), value) << term.text << ", seed 411, draw " << draw;
-    ++compared;
-  }
-  EXPECT_GT(compared, 200);
-}
-
-TEST(MachineData, UsesVariablesAsIndices) {
-  auto rig = executed(
-      "SET B000 2\nSET D[B000] 5\nSET I[D[B000]] 9\nSET B[0] 3\nCLEAR D002\nSET R001 1\nCLEAR R000 3\n"
-      "SET I001 5\nSET I004 5\nCLEAR I002 ALL\n");
-  EXPECT_EQ(rig.d(2), 0);
-  EXPECT_EQ(rig.i(5), 0);
-  EXPECT_EQ(rig.i(1), 5);
-  EXPECT_EQ(rig.i(4), 0);
-  EXPECT_EQ(rig.b(0), 3);
-  EXPECT_EQ(rig.r(1), 0);
-}
-
-TEST(MachineData, RaisesAnAlarmInsteadOfAWrongValue) {
+TEST(Calculations, RaisesAnAlarmInsteadOfAWrongValue) {
   EXPECT_EQ(alarm_of("SET B000 256\n"), "SET: a value out of the range of its variable");
   EXPECT_EQ(alarm_of("SET B000 -1\n"), "SET: a value out of the range of its variable");
   EXPECT_EQ(alarm_of("SET I000 32767\nINC I000\n"), "INC: a value out of the range of its variable");
@@ -141,12 +64,31 @@ TEST(MachineData, RaisesAnAlarmInsteadOfAWrongValue) {
   EXPECT_EQ(alarm_of("ARCON ASF#(1)\n"), "ARCON: not supported");
 }
 
-TEST(MachineData, KeepsTheOldValueAfterAnAlarm) {
+TEST(Calculations, KeepsTheOldValueAfterAnAlarm) {
   test::MachineRig rig{test::job_of("SET B000 200\nADD B000 100\n")};
   EXPECT_EQ(rig.run(), Interpreter::Progress::kAlarm);
   EXPECT_EQ(rig.b(0), 200);
   EXPECT_EQ(rig.machine->alarm(), Alarm::kRange);
   EXPECT_EQ(rig.machine->line(), 8U);
+}
+
+TEST(Calculations, CalculatesWithPositions) {
+  auto rig = executed(
+      "SETE P001 (2) 5000\nSET P002 P001\nSETE P002 (6) 20000\nADD P001 P002\nSUB P002 P001\nSET P003 P001\n"
+      "MUL P003 3\nDIV P001 4\nSETE P004 (0) 1000\nGETE D000 P004 (3)\nGETE D001 P004 (4)\nCLEAR P004\n");
+  EXPECT_EQ(rig.p(1).value, (std::array{0.0, 2.5, 0.0, 0.0, 0.0, 0.5}));
+  EXPECT_EQ(rig.p(2).value, (std::array{0.0, -5.0, 0.0, 0.0, 0.0, 0.0}));
+  EXPECT_EQ(rig.p(3).value, (std::array{0.0, 30.0, 0.0, 0.0, 0.0, 6.0}));
+  EXPECT_EQ(rig.d(0), 1'000);
+  EXPECT_EQ(rig.d(1), 1'000);
+  EXPECT_FALSE(rig.p(4).set);
+  EXPECT_EQ(alarm_of("ADD P001 P001\n"), "ADD: a position variable that is not set");
+  const std::string set = "SETE P001 (1) 1\n";
+  EXPECT_EQ(alarm_of(set + "ADD P001 1\n"), "ADD: operands of kinds that do not go together");
+  EXPECT_EQ(alarm_of(set + "MUL P001 P001\n"), "MUL: operands of kinds that do not go together");
+  EXPECT_EQ(alarm_of(set + "GETS P002 $PX000\nADD P001 P002\n"), "ADD: operands of kinds that do not go together");
+  EXPECT_EQ(alarm_of(set + "DIV P001 0\n"), "DIV: division by 0, or the root of a negative value");
+  EXPECT_EQ(alarm_of(set + "SETE P001 (7) 1\n"), "SETE: no variable or element of this number");
 }
 
 }  // namespace

@@ -1,8 +1,9 @@
-// Inputs, outputs and time.
+#include "controller/language/job/pins.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/controller/language/job/machine_rig.hpp"
+#include "tests/controller/language/job/cartesian_rigs.hpp"
 
 namespace armature::job {
 namespace {
@@ -11,11 +12,12 @@ using test::alarm_of;
 using test::executed;
 using test::job_of;
 using test::MachineRig;
+using test::MovingRig;
 using testing::ElementsAre;
 using testing::IsEmpty;
 using Progress = Interpreter::Progress;
 
-TEST(MachinePins, SendsOutputsAndTimesAheadOfTheArm) {
+TEST(Pins, SendsOutputsAndTimesAheadOfTheArm) {
   MachineRig rig{job_of("DOUT OT#(3) ON\nTIMER T=0.50\nSET I000 25\nTIMER T=I000\nWAIT T=1.00\nDOUT OT#(3) OFF\n")};
   rig.port.arrived = false;
   EXPECT_EQ(rig.run(), Progress::kEnded);
@@ -29,7 +31,7 @@ TEST(MachinePins, SendsOutputsAndTimesAheadOfTheArm) {
   EXPECT_EQ(rig.port.sent[4].second, Machine::place_of(0, 12));
 }
 
-TEST(MachinePins, SwitchesEachOutputOfAGroup) {
+TEST(Pins, SwitchesEachOutputOfAGroup) {
   MachineRig rig{job_of("DOUT OGH#(2) 5\nSET B000 129\nDOUT OG#(2) B000\n")};
   rig.port.room = 3;
   EXPECT_EQ(rig.run(), Progress::kWaiting);
@@ -49,7 +51,7 @@ TEST(MachinePins, SwitchesEachOutputOfAGroup) {
   EXPECT_EQ(alarm_of("SET I000 0\nDOUT OT#(I000) ON\n"), "DOUT: no pin of this number");
 }
 
-TEST(MachinePins, KeepsTheLevelOfOutputsThatHaveNoPin) {
+TEST(Pins, KeepsTheLevelOfOutputsThatHaveNoPin) {
   auto rig = executed("DOUT OT#(890) ON\nDIN B000 OT#(890)\nDIN B001 OT#(891)\nPULSE OT#(4000) T=1.00\n");
   EXPECT_THAT(rig.port.sent, IsEmpty());
   EXPECT_EQ(rig.b(0), 1);
@@ -58,7 +60,7 @@ TEST(MachinePins, KeepsTheLevelOfOutputsThatHaveNoPin) {
   EXPECT_EQ(alarm_of("DIN B000 RIN#(1)\n"), "DIN: not supported");
 }
 
-TEST(MachinePins, ReadsInputsWhenTheArmStands) {
+TEST(Pins, ReadsInputsWhenTheArmStands) {
   MachineRig rig{test::moving_job_of("MOVJ C1\nDIN B000 IN#(2)\nDIN B001 IG#(1)\nDIN B002 IGH#(2)\n")};
   rig.port.inputs[2] = rig.port.inputs[5] = rig.port.inputs[8] = true;
   rig.port.arrived = false;
@@ -71,7 +73,7 @@ TEST(MachinePins, ReadsInputsWhenTheArmStands) {
   EXPECT_EQ(rig.b(2), 0b1001);
 }
 
-TEST(MachinePins, WaitsForAConditionTickByTick) {
+TEST(Pins, WaitsForAConditionTickByTick) {
   MachineRig rig{job_of("WAIT IN#(1)=ON\nSET B000 1\n")};
   EXPECT_EQ(rig.run(), Progress::kWaiting);
   EXPECT_TRUE(rig.machine->waits_for_time());
@@ -81,7 +83,7 @@ TEST(MachinePins, WaitsForAConditionTickByTick) {
   EXPECT_EQ(rig.b(0), 1);
 }
 
-TEST(MachinePins, GoesOnWhenTheTimeOfAWaitIsOver) {
+TEST(Pins, ContinuesWhenTheTimeOfAWaitIsOver) {
   MachineRig rig{job_of("WAIT IN#(1)=ON T=0.10\nSET B000 1\n")};
   rig.port.time = Ticks{500};
   EXPECT_EQ(rig.run(), Progress::kWaiting);
@@ -92,7 +94,7 @@ TEST(MachinePins, GoesOnWhenTheTimeOfAWaitIsOver) {
   EXPECT_EQ(rig.b(0), 1);
 }
 
-TEST(MachinePins, PulsesAnOutputWithoutWaiting) {
+TEST(Pins, PulsesAnOutputWithoutWaiting) {
   MachineRig rig{job_of("PULSE OT#(4) T=0.20\nPULSE OT#(5)\nSET B000 1\n")};
   rig.port.arrived = false;
   EXPECT_EQ(rig.run(), Progress::kWaiting);
@@ -103,13 +105,45 @@ TEST(MachinePins, PulsesAnOutputWithoutWaiting) {
   EXPECT_THAT(rig.port.pulses, ElementsAre(std::pair{4, Ticks{4'000}}, std::pair{5, Ticks{6'000}}));
 }
 
-TEST(MachinePins, WaitsForRoom) {
+TEST(Pins, WaitsForRoom) {
   MachineRig rig{job_of("TIMER T=1.00\nTIMER T=1.00\nSET B000 1\n")};
   rig.port.room = 1;
   EXPECT_EQ(rig.run(), Progress::kWaiting);
   EXPECT_EQ(rig.port.sent.size(), 1U);
   EXPECT_EQ(rig.b(0), 0);
   rig.port.room = 1;
+  EXPECT_EQ(rig.run(), Progress::kEnded);
+}
+
+TEST(Pins, WaitsForPinsAndNotForLevelsWithoutAPin) {
+  EXPECT_TRUE(MovingRig{"MOVJ C0\nDIN B000 OT#(16)\n"}.waits_behind(1));
+  EXPECT_TRUE(MovingRig{"MOVJ C0\nDIN B000 OG#(2)\n"}.waits_behind(1));
+  EXPECT_TRUE(MovingRig{"MOVJ C0\nWAIT IN#(1)=OFF\n"}.waits_behind(1));
+  MovingRig rig{"MOVJ C0\nDOUT OT#(17) ON\nDIN B000 OT#(17)\nDIN B001 OG#(3)\nWAIT OT#(17)=ON\nWAIT B000=1\nMOVL C1\n"};
+  EXPECT_EQ(rig.run_ahead(), Progress::kEnded);
+  EXPECT_EQ(rig.b(0), 1);
+  EXPECT_EQ(rig.b(1), 1);
+}
+
+TEST(Pins, CountsTheTimeOfAWaitFromTheRestOn) {
+  MovingRig rig{"MOVJ C0\nWAIT OT#(17)=ON T=1.00\n"};
+  EXPECT_EQ(rig.run_ahead(), Progress::kWaiting);
+  rig.port.time = Ticks{100'000};
+  EXPECT_EQ(rig.run(), Progress::kWaiting);
+  rig.port.arrived = true;
+  EXPECT_EQ(rig.run(), Progress::kWaiting);
+  rig.port.time = Ticks{120'000};
+  EXPECT_EQ(rig.run(), Progress::kEnded);
+}
+
+TEST(Pins, CountTheTimeOfEachWaitFromItsOwnStart) {
+  MachineRig rig{job_of("WAIT IN#(1)=ON T=0.10\nWAIT IN#(2)=ON T=0.10\nSET B000 1\n")};
+  EXPECT_EQ(rig.run(), Progress::kWaiting);
+  rig.port.time = Ticks{2'100};
+  EXPECT_EQ(rig.run(), Progress::kWaiting);  // the second one has started
+  rig.port.time = Ticks{4'099};
+  EXPECT_EQ(rig.run(), Progress::kWaiting);
+  rig.port.time = Ticks{4'100};
   EXPECT_EQ(rig.run(), Progress::kEnded);
 }
 

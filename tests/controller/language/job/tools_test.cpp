@@ -1,4 +1,5 @@
-// Tools besides that of the arm, and instructions that switch an output of the user's choice.
+#include "controller/language/job/tools.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,6 +12,7 @@ namespace armature::job {
 namespace {
 
 using test::MachineRig;
+using test::path;
 using testing::ElementsAre;
 using Progress = Interpreter::Progress;
 
@@ -41,7 +43,7 @@ void expect_pose(const Transform& pose, const Eigen::Vector3d& place_mm, double 
   EXPECT_NEAR((pose.rotation - stated).norm(), 0.0, 1e-9);
 }
 
-TEST(MachineTools, AStatedToolComesToThePosesOfItsNumber) {
+TEST(Tools, AStatedToolComesToThePosesOfItsNumber) {
   // The last line turns the hand, but with tool 2, which is that of the arm.
   ToolRig rig{"310,20,300,180,0,180", "MOVJ C0\nMOVJ C1\nMOVL C2\nMOVL C0\n"};
   ASSERT_EQ(rig.run(), Progress::kEnded) << rig.port.alarms.front();
@@ -67,26 +69,41 @@ TEST(MachineTools, AStatedToolComesToThePosesOfItsNumber) {
   }
 }
 
-TEST(MachineTools, APathThatTurnsAStatedToolIsAnAlarm) {
+TEST(Tools, APathThatTurnsAStatedToolIsAnAlarm) {
   ToolRig rig{"310,20,300,180,0,170", "MOVJ C1\nMOVL C2\n"};
   EXPECT_EQ(rig.run(), Progress::kAlarm);
   EXPECT_EQ(rig.port.sent.size(), 1U);
   EXPECT_THAT(rig.port.alarms, ElementsAre("MOVL: a path that turns a tool of [[job.tool]]"));
 }
 
-TEST(MachineTools, SwitchStatedOutputs) {
-  const std::string instructions = "ARCON ASF#(1)\nWVOF\nTOOLON\nARCOF\nCOMARCON\nCOMARCOF\n";
-  EXPECT_EQ(test::alarm_of(instructions), "ARCON: not supported");
-  MachineRig rig{test::job_of(instructions)};
-  rig.setup.settings.device_pin = {5, 6, 7};
-  rig.begin();
-  ASSERT_EQ(rig.run(), Progress::kEnded);
-  std::string switched;
-  for (std::size_t i = 0; i < rig.port.sent.size(); ++i) {
-    const auto& output = rig.port.sent_as<SetOutput>(i);
-    switched += std::to_string(output.pin) + (output.level ? "+" : "-");
-  }
-  EXPECT_EQ(switched, "5+6-7+5-5+5-");
+TEST(Tools, AllowsOneTool) {
+  MachineRig rig{
+      "/JOB\n//NAME A\n//POS\n///NPOS 3,0,0,0,0,0\n///TOOL 2\n///POSTYPE BASE\n///RECTAN\nC0=300,0,300,180,0,180\n"
+      "///TOOL 3\nC1=310,0,300,180,0,180\n///POSTYPE PULSE\n///PULSE\nC2=0,0,0,0,0,0\n//INST\nNOP\nMOVL C0\nMOVJ C2\n"
+      "MOVL C1\nEND\n"};
+  EXPECT_EQ(rig.run(), Progress::kAlarm);
+  EXPECT_EQ(rig.port.sent.size(), 2U);
+  EXPECT_THAT(rig.port.alarms, ElementsAre("MOVL: a second tool, of which [[job.tool]] says nothing"));
+}
+
+TEST(Tools, AreThatOfTheArmByOneNumberAndThoseThatAreStated) {
+  const RobotModel robot = test::irb120();
+  const Arm arm{robot};
+  MachineSetup setup{.cell = {.robot = robot, .arm = arm, .flange_T_tool = {.position_mm = {0, 0, 100}}}};
+  setup.settings.flange_T_tool[3] =
+      Transform{.rotation = rotation_from_rpy(0.3, -0.2, 0.1), .position_mm = {20.0, -30.0, 150.0}};
+  Tools tools{setup};
+  EXPECT_EQ(tools.use(2), Alarm::kNone);
+  EXPECT_EQ(tools.use(3), Alarm::kNone);
+  EXPECT_EQ(tools.use(4), Alarm::kTool);
+  EXPECT_EQ(tools.use(255), Alarm::kTool);
+  EXPECT_EQ(tools.present(), 3);
+  const Transform third = setup.cell.flange_T_tool * tools.arm_T_tool(3);
+  EXPECT_LT((third.position_mm - Eigen::Vector3d(20, -30, 150)).norm(), 1e-12);
+  EXPECT_LT((third.rotation - setup.settings.flange_T_tool[3]->rotation).norm(), 1e-12);
+  EXPECT_EQ(tools.arm_T_tool(2).position_mm, Eigen::Vector3d::Zero());
+  tools.reset();
+  EXPECT_EQ(tools.use(4), Alarm::kNone);
 }
 
 }  // namespace
