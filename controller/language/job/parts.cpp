@@ -1,5 +1,6 @@
 #include "controller/language/job/parts.hpp"
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -155,7 +156,7 @@ bool Parts::execute(Step& step) noexcept {
   if ((record.flags & Record::kUnsupported) != 0) return step.fail(Alarm::kUnsupported);
   OperandReader operands{memory, variables, pins.levels(), step};
   const auto op = static_cast<std::size_t>(record.op);
-  if (kInstructions[op].pattern.find('g') != std::string_view::npos) {
+  if (std::ranges::any_of(kInstructions[op].pattern, [](char operand) { return operand == 'g'; })) {
     bool holds = false;
     if (!read_guard(operands, holds)) return false;
     if (!holds) return true;
