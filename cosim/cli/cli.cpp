@@ -1,5 +1,7 @@
 #include "cosim/cli/cli.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <iostream>
@@ -15,6 +17,7 @@
 #include "cosim/soc/soc.hpp"
 #include "cosim/text/input_error.hpp"
 #include "cosim/text/printable.hpp"
+#include "cosim/text/version.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -37,7 +40,7 @@ int run_command_line(int argc, const char* const* argv) {
   app.require_subcommand(1);
   app.footer(kProgramDetails);
   app.fallthrough();  // common options may follow the command
-  app.set_version_flag("--version", std::string{"armature "} + ARMATURE_VERSION, "Print the version and exit");
+  app.set_version_flag("--version", fmt::format("armature {}", version()), "Print the version and exit");
   CommonOptions common;
   app.add_option("--path", common.path,
                  "Folder of scenarios to search before all others. May be repeated, and may follow the command")

@@ -10,6 +10,7 @@
 #include "cosim/cli/output_options.hpp"
 #include "cosim/scenario/logic_spec.hpp"
 #include "cosim/text/printable.hpp"
+#include "cosim/text/version.hpp"
 #include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
@@ -25,7 +26,7 @@ static_assert(std::ranges::all_of(regs::soc::kBlocks, [](const regs::soc::Block&
 }));
 
 nlohmann::ordered_json info_json(const SearchPath& path) {
-  nlohmann::ordered_json info = {{"version", ARMATURE_VERSION},
+  nlohmann::ordered_json info = {{"version", version()},
                                  {"compiler", __VERSION__},
                                  {"model", ARMATURE_VERILATOR_OPT},
                                  {"clock_hz", kClkFreqHz},
@@ -47,7 +48,7 @@ nlohmann::ordered_json info_json(const SearchPath& path) {
 
 int show_info(const SearchPath& path) {
   namespace soc = regs::soc;
-  std::cout << fmt::format("armature {}\n", ARMATURE_VERSION);
+  std::cout << fmt::format("armature {}\n", version());
   std::cout << fmt::format("compiler     {}\n", __VERSION__);
   std::cout << fmt::format("model        Verilator {}\n", ARMATURE_VERILATOR_OPT);
   std::cout << fmt::format("clock        {} MHz, tick {} cycles = {} us\n", kClkFreqHz / 1'000'000, kTickCycles,

@@ -6,6 +6,7 @@
 
 #include "cosim/cli/command.hpp"
 #include "cosim/cli/data_path.hpp"
+#include "cosim/text/version.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -155,7 +156,7 @@ std::string exit_codes() {
 }  // namespace
 
 std::string man_page(const CommandRow& program, const std::vector<CommandRow>& commands) {
-  std::string page = fmt::format(".TH {} 1 \"\" \"{} {}\" \"\"\n", "ARMATURE", program.name, ARMATURE_VERSION);
+  std::string page = fmt::format(".TH {} 1 \"\" \"{} {}\" \"\"\n", "ARMATURE", program.name, version());
   page += ".ad l\n.nh\n";  // neither stretched lines nor hyphens
   page += ".SH NAME\n" + roff(program.name) + " \\- " + roff(program.summary) + "\n";
   page += ".SH SYNOPSIS\n" + bold(program.name) + " [" + bold("--path") + " " + italic("DIR") + "] " +

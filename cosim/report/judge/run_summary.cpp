@@ -1,6 +1,7 @@
 #include "cosim/report/judge/run_summary.hpp"
 
 #include "cosim/scenario/command_names.hpp"
+#include "cosim/text/version.hpp"
 
 namespace armature::cosim {
 
@@ -32,7 +33,7 @@ RunSummary summary_before_run(const Scenario& scenario) {
   summary.scenario = scenario.name;
   summary.description = scenario.description;
   summary.robot = scenario.robot_name;
-  summary.tool_version = ARMATURE_VERSION;
+  summary.tool_version = version();
   summary.arm = scenario.robot;
   summary.tool = scenario.tool;
   summary.sources = scenario.sources;
