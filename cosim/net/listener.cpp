@@ -21,12 +21,12 @@ constexpr std::string_view kTcpPrefix = "tcp:";
 constexpr std::string_view kExpected = "expected tcp:PORT or the path of a Unix socket";
 constexpr int kListenBacklog = 16;
 
-[[noreturn]] void refuse(const std::string& where, std::string_view why) {
+[[noreturn]] void refuse_address(const std::string& where, std::string_view why) {
   throw InputError{where, std::string{why}};
 }
 
 [[noreturn]] void refuse_errno(const std::string& where, const std::string& what) {
-  refuse(where, what + ": " + std::generic_category().message(errno));
+  refuse_address(where, what + ": " + std::generic_category().message(errno));
 }
 
 bool server_listens(const sockaddr_un& name) {
@@ -48,17 +48,17 @@ ListenAddress parse_listen_address(std::string_view text) {
   ListenAddress address;
   if (text.starts_with(kTcpPrefix)) {
     address.tcp_port = parse_port(text.substr(kTcpPrefix.size()));
-    if (!address.tcp_port) refuse(std::string{text}, "expected a port 0..65535 after tcp: (0: any free one)");
+    if (!address.tcp_port) refuse_address(std::string{text}, "expected a port 0..65535 after tcp: (0: any free one)");
     return address;
   }
   constexpr std::size_t kLongest = sizeof(sockaddr_un::sun_path) - 1;
-  if (text.empty()) refuse("''", kExpected);
+  if (text.empty()) refuse_address("''", kExpected);
   const std::size_t mark = text.find_first_of("/:");
   if (mark != std::string_view::npos && text[mark] == ':') {
-    refuse(std::string{text}, fmt::format("{} (./{} would be one)", kExpected, text));
+    refuse_address(std::string{text}, fmt::format("{} (./{} would be one)", kExpected, text));
   }
   if (text.size() > kLongest) {
-    refuse(std::string{text}, "the path of a Unix socket has at most " + std::to_string(kLongest) + " bytes");
+    refuse_address(std::string{text}, "the path of a Unix socket has at most " + std::to_string(kLongest) + " bytes");
   }
   address.path = text;
   return address;
@@ -78,7 +78,7 @@ void Listener::listen_on_port(std::uint16_t port) try {
   address_.tcp_port = listening.port;
   token_ = random_token();
 } catch (const std::system_error& error) {
-  refuse(name(), error.what());
+  refuse_address(name(), error.what());
 }
 
 void Listener::listen_on_path(const std::filesystem::path& path) {
@@ -88,8 +88,8 @@ void Listener::listen_on_path(const std::filesystem::path& path) {
 
   struct stat there {};
   if (::lstat(path.c_str(), &there) == 0) {
-    if (!S_ISSOCK(there.st_mode)) refuse(path, "exists and is not a socket; it stays unchanged");
-    if (server_listens(name)) refuse(path, "another server listens there");
+    if (!S_ISSOCK(there.st_mode)) refuse_address(path, "exists and is not a socket; it stays unchanged");
+    if (server_listens(name)) refuse_address(path, "another server listens there");
     if (::unlink(path.c_str()) != 0) refuse_errno(path, "cannot remove the socket that a server left behind");
   }
   FileDescriptor socket = stream_socket(AF_UNIX);

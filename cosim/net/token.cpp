@@ -10,10 +10,10 @@
 #include <cstdint>
 #include <system_error>
 
+#include "cosim/text/blanks.hpp"
+
 namespace armature::cosim {
 namespace {
-
-constexpr std::string_view kBlanks = " \t";
 
 // Without the blanks at both ends.
 std::string_view trimmed(std::string_view text) {

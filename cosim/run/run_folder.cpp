@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kMarkName = "unfinished";
 
-[[noreturn]] void refuse(const fs::path& file, const std::string& what) {
+[[noreturn]] void refuse_file(const fs::path& file, const std::string& what) {
   throw InputError{file.string(), what + ": " + std::strerror(errno)};
 }
 
@@ -74,7 +74,7 @@ RunFolder::RunFolder(fs::path folder) : folder_{std::move(folder)} {
   const fs::path file = folder_ / kMarkName;
   while (true) {
     mark_ = FileDescriptor{::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666)};
-    if (!mark_) refuse(file, "cannot write this file");
+    if (!mark_) refuse_file(file, "cannot write this file");
     if (!lock_patiently(mark_)) {
       throw InputError{folder_.string(), holder(mark_) +
                                              " is writing a run into this folder; wait for its end, or "
@@ -93,7 +93,7 @@ void RunFolder::write_mark(const std::string& summary) {
   const std::string text = "process " + std::to_string(::getpid()) + "\n" + summary;
   const bool written = ::ftruncate(mark_.get(), 0) == 0 &&
                        ::pwrite(mark_.get(), text.data(), text.size(), 0) == static_cast<ssize_t>(text.size());
-  if (!written) refuse(folder_ / kMarkName, "cannot write this file");
+  if (!written) refuse_file(folder_ / kMarkName, "cannot write this file");
 }
 
 void RunFolder::finish() {
@@ -110,7 +110,7 @@ std::optional<std::string> why_unfinished(const fs::path& folder) {
 }
 
 std::string unfinished_summary(const fs::path& folder) {
-  const std::string text = read_text_file(folder / kMarkName, kMostTableBytes);
+  const std::string text = read_text_file(folder / kMarkName, kMaxTableBytes);
   return text.substr(std::min(text.find('\n'), text.size()));
 }
 

@@ -5,19 +5,16 @@
 #include <algorithm>
 #include <charconv>
 
+#include "cosim/text/blanks.hpp"
+
 namespace armature::cosim {
-namespace {
-
-constexpr std::string_view kBlanks = " \t";
-
-}  // namespace
 
 std::string in_quotes(std::string_view text) {
-  constexpr std::size_t kMaxShown = 40;
-  std::string shown{text.substr(0, kMaxShown)};
+  constexpr std::size_t kMaxWord = 40;
+  std::string shown{text.substr(0, kMaxWord)};
   std::ranges::replace_if(
       shown, [](char c) { return c < ' ' || c > '~'; }, '?');
-  return fmt::format("'{}{}'", shown, text.size() > kMaxShown ? "..." : "");
+  return fmt::format("'{}{}'", shown, text.size() > kMaxWord ? "..." : "");
 }
 
 std::optional<std::uint64_t> protocol_number(std::string_view word) {

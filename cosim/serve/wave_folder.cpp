@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr int kFolder = O_PATH | O_DIRECTORY | O_CLOEXEC;
 
-[[noreturn]] void refuse(const fs::path& file, const std::string& why) {
+[[noreturn]] void refuse_wave(const fs::path& file, const std::string& why) {
   throw CommandRefused{fmt::format("{} {}", in_quotes(file.native()), why)};
 }
 
@@ -31,16 +31,16 @@ void require_name(const fs::path& file) {
   if (file.extension() != ".vcd" || file.native().find('\0') != std::string::npos) {
     throw CommandRefused{fmt::format("FILE must end in .vcd, found {}", in_quotes(file.native()))};
   }
-  if (file.is_absolute()) refuse(file, "must be a name below the folder of --out, not an absolute path");
+  if (file.is_absolute()) refuse_wave(file, "must be a name below the folder of --out, not an absolute path");
   for (const fs::path& part : file) {
-    if (part == "..") refuse(file, "must be a name below the folder of --out, without '..'");
+    if (part == "..") refuse_wave(file, "must be a name below the folder of --out, without '..'");
   }
 }
 
 // Only a regular file with one name is written; not a pipe, a device or a link.
 void require_plain(const struct stat& there, const fs::path& file) {
-  if (!S_ISREG(there.st_mode)) refuse(file, "exists and is no plain file");
-  if (there.st_nlink > 1) refuse(file, "exists and has a second name (a hard link)");
+  if (!S_ISREG(there.st_mode)) refuse_wave(file, "exists and is no plain file");
+  if (there.st_nlink > 1) refuse_wave(file, "exists and has a second name (a hard link)");
 }
 
 }  // namespace

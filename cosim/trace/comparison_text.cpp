@@ -82,7 +82,7 @@ bool deviates(const ColumnDeviation& column) {
   return column.largest != 0 || column.rows != 0;
 }
 
-std::string deviation_text(const ColumnDeviation& column) {
+std::string column_text(const ColumnDeviation& column) {
   const ColumnRule& rule = column.rule;
   const std::string rows = std::to_string(column.rows) + " rows ";
   const std::string at = " at tick " + std::to_string(column.tick) + ", ";
@@ -152,7 +152,7 @@ std::string Comparison::deviations() const {
   for (const ColumnDeviation& column : columns) {
     if (!deviates(column)) continue;
     if (text.empty()) text += "  largest deviation of each column:\n";
-    text += "    " + column.column + ": " + deviation_text(column) + "\n";
+    text += "    " + column.column + ": " + column_text(column) + "\n";
   }
   return text;
 }

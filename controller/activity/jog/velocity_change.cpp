@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 // The time in which the acceleration turns is found to this share of its upper bound, in powers of 1/2.
-constexpr int kBisections = 40;
+constexpr int kChangeBisections = 40;
 
 // The largest x >= 0 with x |part| <= limit.
 double most_of(double limit, double part) {
@@ -45,7 +45,7 @@ bool VelocityChange::plan(double t_s, const Twist& velocity, const Change& accel
   // A short time in which a jerk within the limits makes the acceleration one along the rest of the change. In
   // `longest` it can become 0.
   double shortest = 0.0, longest = per_jerk(accel_.twist).norm();
-  for (int i = 0; i < kBisections && longest > 0.0; ++i) {
+  for (int i = 0; i < kChangeBisections && longest > 0.0; ++i) {
     const double middle_s = 0.5 * (shortest + longest);
     const Change left = left_after(middle_s);
     const Twist change = turned_accel(left, middle_s) * left.twist - accel_.twist;

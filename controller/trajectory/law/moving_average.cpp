@@ -10,9 +10,9 @@ namespace {
 constexpr double kSameTime_s = 1e-9;
 
 // A motion between two stops, evaluated at increasing times.
-class Walk {
+class TableWalk {
  public:
-  Walk(const TimeTable& table, const TableRun& run) : table_{table}, at_{run.first}, last_{run.last} {}
+  TableWalk(const TimeTable& table, const TableRun& run) : table_{table}, at_{run.first}, last_{run.last} {}
 
   struct State {
     double s, speed;
@@ -35,7 +35,7 @@ class Walk {
 void append_average(const TimeTable& law, const TableRun& run, double tau_s, TimeTable::Point before, double later_s,
                     TimeTable& result) {
   const double end_s = law[run.last].t_s + tau_s;
-  Walk front{law, run}, back{law, run};
+  TableWalk front{law, run}, back{law, run};
   double accel_before = (front.at(before.t_s).speed - back.at(before.t_s - tau_s).speed) / tau_s;
   double rest = 0.0;  // what the rounding of `before.s` left out
   std::size_t i = run.first, k = run.first;
@@ -46,7 +46,7 @@ void append_average(const TimeTable& law, const TableRun& run, double tau_s, Tim
     while (k <= run.last && law[k].t_s + tau_s <= before.t_s + kSameTime_s) ++k;
     if (i <= run.last) t_s = std::min(t_s, law[i].t_s);
     if (k <= run.last) t_s = std::min(t_s, law[k].t_s + tau_s);
-    const Walk::State now = front.at(t_s), past = back.at(t_s - tau_s);
+    const TableWalk::State now = front.at(t_s), past = back.at(t_s - tau_s);
     TimeTable::Point next{.t_s = t_s, .speed = (now.s - past.s) / tau_s};
     const double accel = (now.speed - past.speed) / tau_s, step_s = t_s - before.t_s;
     before.jerk = (accel - accel_before) / step_s;
@@ -107,7 +107,7 @@ void continue_average(const TimeTable& law, Ticks tau, TimeTable& result) noexce
 }
 
 double average_speed(const TimeTable& law, const TableRun& run, Ticks tau, double t_s) noexcept {
-  Walk front{law, run}, back{law, run};
+  TableWalk front{law, run}, back{law, run};
   return (front.at(t_s).s - back.at(t_s - seconds(tau)).s) / seconds(tau);
 }
 

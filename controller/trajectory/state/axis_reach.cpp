@@ -13,9 +13,9 @@ AxisState mirrored(const AxisState& state, double sign) {
 }
 
 // Steps through phases, then rests.
-class Walk {
+class PhaseWalk {
  public:
-  Walk(const Phases& phases, double sign, double share) : next_{phases.begin()}, end_{phases.end()} {
+  PhaseWalk(const Phases& phases, double sign, double share) : next_{phases.begin()}, end_{phases.end()} {
     sign_ = sign * share;
     load();
   }
@@ -46,7 +46,7 @@ class Walk {
 };
 
 // Shares of a motion beyond 1 are extrapolation.
-constexpr double kMostShare = 1.0 + 1e-6;
+constexpr double kMaxShare = 1.0 + 1e-6;
 // The shortest duration and the motion of that duration are computed on different ways.
 constexpr double kDurationRounding = 1e-13;
 // A few units in the last place.
@@ -87,9 +87,9 @@ AxisReach::Motion AxisReach::motion(double target, double duration_s) const noex
     far = rules_.farthest(mirrored(lead_end_, sign), duration_s - lead_s_, limits_);
     const double farthest = sign * far.after_all(mirrored(lead_end_, sign)).position;
     const double reach = sign * (farthest - stop_position_), wanted = sign * (target - stop_position_);
-    share = reach > 0.0 ? std::min(wanted / reach, kMostShare) : 0.0;
+    share = reach > 0.0 ? std::min(wanted / reach, kMaxShare) : 0.0;
   }
-  Walk outer{far, sign, share}, inner{stop_, 1.0, 1.0 - share};
+  PhaseWalk outer{far, sign, share}, inner{stop_, 1.0, 1.0 - share};
   while (true) {
     const double step_s = std::min(outer.left_s(), inner.left_s());
     if (step_s == std::numeric_limits<double>::infinity()) break;
