@@ -57,7 +57,7 @@ bool has_orientation(const CartesianMove& move) {
 
 bool has_tolerance(const CartesianMove& move) {
   if (move.at_singularity != AtSingularity::kBend) return true;
-  return move.orientation_tolerance_rad > 0.0 && move.orientation_tolerance_rad <= CartesianMove::kMostTolerance_rad;
+  return move.orientation_tolerance_rad > 0.0 && move.orientation_tolerance_rad <= CartesianMove::kMaxTolerance_rad;
 }
 
 bool are_positive(const PathLimits& limits, ProfileKind profile) {
@@ -73,7 +73,7 @@ bool are_positive(const ToolVelocityLimits& limits, ProfileKind profile) {
 
 bool is_valid(const AboutAxis& about) {
   return is_finite(about.axis) && std::isfinite(about.advance_mm) &&
-         std::fabs(about.angle_rad) <= kMostRevolutions * kTurn_rad;
+         std::fabs(about.angle_rad) <= kMaxRevolutions * kTurn_rad;
 }
 
 // The points of a spline: at least one.

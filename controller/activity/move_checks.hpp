@@ -31,7 +31,7 @@ namespace armature {
 
 // As for PoseMove. In addition all limits of the path must be finite and above 0 (jerk limits only for an S-curve), and
 // the blend radius finite and not below 0, and 0 for an exact stop. An axis must be finite, with at most
-// kMostRevolutions around it. A spline needs 1..ThroughPoints::kMax points between its start and its end. A tolerance
+// kMaxRevolutions around it. A spline needs 1..ThroughPoints::kMax points between its start and its end. A tolerance
 // of the orientation must be in its range. Only a steady orientation and a slerp have a rotation of the target, and on
 // a spline the tool does not turn with the tangent.
 // kConveyorFrame needs six joints. A spline and outputs on the path are refused there.

@@ -73,7 +73,7 @@ IkTracking Arm::soonest_of(const SixR& six_r, const Transform& base_T_flange,
   if (!is_rigid(base_T_flange) || !are_angles(theta)) return {};
   const SixR::Arms arms = six_r.arms(base_T_flange, theta);
 
-  std::array<Start, SixR::Arms::kMost> starts;
+  std::array<Start, SixR::Arms::kMax> starts;
   std::size_t count = 0;
   for (std::size_t first = 0; first < arms.count; first += 2) {
     const SixR::Arms::Posed &up = arms.posed[first], &down = arms.posed[first + 1];

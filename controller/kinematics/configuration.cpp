@@ -43,8 +43,8 @@ std::uint8_t differing_sides(const Configuration& wanted, const Configuration& a
 }
 
 std::int8_t turns_of(double angle_rad) noexcept {
-  constexpr double kMost = kMostTurns;
-  return static_cast<std::int8_t>(std::clamp(std::floor(angle_rad / kTurn_rad + 0.5), -kMost, kMost));
+  constexpr double kMax = kMaxTurns;
+  return static_cast<std::int8_t>(std::clamp(std::floor(angle_rad / kTurn_rad + 0.5), -kMax, kMax));
 }
 
 bool has_turns(double angle_rad, std::int8_t turns) noexcept {

@@ -25,7 +25,7 @@ enum class WristSide : std::uint8_t { kNearest, kNoflip, kFlip };
 
 // Of each joint: n for an angle from n * 360 - 180 deg to n * 360 + 180 deg. Axes that the arm does not have: 0.
 using Turns = PerAxis<std::int8_t>;
-inline constexpr int kMostTurns = 100;  // in both directions
+inline constexpr int kMaxTurns = 100;  // in both directions
 
 struct Configuration {
   ShoulderSide shoulder = ShoulderSide::kNearest;
@@ -50,7 +50,7 @@ enum ConfigurationPart : std::uint8_t { kShoulderPart = 1, kElbowPart = 2, kWris
 // compared.
 [[nodiscard]] std::uint8_t differing_sides(const Configuration& wanted, const Configuration& actual) noexcept;
 
-// The number of turns of an angle [rad] within kMostTurns.
+// The number of turns of an angle [rad] within kMaxTurns.
 [[nodiscard]] std::int8_t turns_of(double angle_rad) noexcept;
 // True if the angle belongs to this number of turns. At half a turn it belongs to both neighbours.
 [[nodiscard]] bool has_turns(double angle_rad, std::int8_t turns) noexcept;

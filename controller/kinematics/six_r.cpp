@@ -139,9 +139,9 @@ SixR::Arms SixR::arms(const Transform& base_T_flange, const Theta& previous) con
 std::size_t SixR::add_wrists(const Arms& arms, std::size_t first, std::size_t count, double previous_theta4,
                              std::span<RawBranch> branches) noexcept {
   const std::span posed = std::span{arms.posed}.subspan(first, count);
-  std::array<double, Arms::kMost> theta23;
-  std::array<math::SinCos, Arms::kMost> turned;
-  std::array<bool, Arms::kMost> singular;
+  std::array<double, Arms::kMax> theta23;
+  std::array<math::SinCos, Arms::kMax> turned;
+  std::array<bool, Arms::kMax> singular;
   for (std::size_t i = 0; i < count; ++i) theta23[i] = posed[i].theta2 + posed[i].theta3;
   math::sin_cos_each(std::span{theta23}.first(count), std::span{turned}.first(count));
   Arctangents turns;

@@ -47,8 +47,8 @@ class SixR::Arctangents {
   [[nodiscard]] double operator[](std::size_t i) const noexcept { return angle_[i]; }
 
  private:
-  static constexpr std::size_t kMost = 12;  // four wrists
-  std::array<double, kMost> y_, x_, angle_;
+  static constexpr std::size_t kMax = 12;  // four wrists
+  std::array<double, kMax> y_, x_, angle_;
   std::size_t count_ = 0;
 };
 
@@ -97,10 +97,10 @@ struct SixR::Arms {
     std::size_t side, bend;  // 0: +1, 1: -1
     double theta2, theta3;
   };
-  static constexpr std::size_t kMost = 4;
+  static constexpr std::size_t kMax = 4;
 
   std::array<Side, 2> sides;
-  std::array<Posed, kMost> posed{};  // both bends of each side that reaches
+  std::array<Posed, kMax> posed{};  // both bends of each side that reaches
   std::size_t count = 0;
   double margin_mm = 0.0;  // count 0: of the side that misses by least
 };

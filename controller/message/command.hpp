@@ -105,7 +105,7 @@ struct CartesianMove {
   // five_axis_turning.hpp. kFixed: keeps the orientation. kTangent: turns with the tangent of the path. Both need a
   // target without rotation. kSlerp: about one axis in space, also with a tilted tool on five joints.
   enum class Orientation : std::uint8_t { kSteady, kFixed, kTangent, kSlerp };
-  static constexpr double kMostTolerance_rad = 0.6;
+  static constexpr double kMaxTolerance_rad = 0.6;
   SegmentRequest::Kind kind = SegmentRequest::Kind::kLine;
   FramedPose target{};  // kCircle: its position is the third point
   // In the frame of the target. kArc, kCircle: second point; kArcAbout: a point of the axis.
@@ -121,7 +121,7 @@ struct CartesianMove {
   bool exact_stop = false;  // the tool stops at the end in any case; not together with a blend radius
   Orientation orientation = Orientation::kSteady;
   AtSingularity at_singularity = AtSingularity::kSlow;
-  double orientation_tolerance_rad = 0.0;  // kBend: above 0, at most kMostTolerance_rad
+  double orientation_tolerance_rad = 0.0;  // kBend: above 0, at most kMaxTolerance_rad
   Tag tag{};
   ARMATURE_MEMBERS(CartesianMove, kind, target, via_mm, about, through, outputs, limits, profile, blend_mm, exact_stop,
                    orientation, at_singularity, orientation_tolerance_rad, tag)

@@ -25,19 +25,19 @@ struct ProgramNoted {
     kWaited,   // its wait is over, perhaps at once: the condition holds; or the text says why else
     kOver,     // after kAlarm or kStopped: what the program had sent is over, too
   };
-  static constexpr std::size_t kMostText = 64;
+  static constexpr std::size_t kMaxText = 64;
 
   std::uint32_t place = 0;  // in the program, as its interpreter defines it
   Kind kind = Kind::kLine;
   std::uint8_t text_size = 0;
   std::uint16_t inputs = 0;  // kWaits, kWaited: the inputs of the tool that the condition has read, bit 0 for pin 1
-  std::array<char, kMostText> text{};
+  std::array<char, kMaxText> text{};
 
-  [[nodiscard]] constexpr bool fits() const noexcept { return text_size <= kMostText; }
+  [[nodiscard]] constexpr bool fits() const noexcept { return text_size <= kMaxText; }
   [[nodiscard]] constexpr std::string_view view() const noexcept { return {text.data(), text_size}; }
   // What does not fit is cut off.
   constexpr void set_text(std::string_view all) noexcept {
-    text_size = static_cast<std::uint8_t>(all.size() < kMostText ? all.size() : kMostText);
+    text_size = static_cast<std::uint8_t>(all.size() < kMaxText ? all.size() : kMaxText);
     for (std::size_t i = 0; i < text_size; ++i) text[i] = all[i];
   }
   ARMATURE_MEMBERS(ProgramNoted, place, kind, text_size, inputs, text)

@@ -11,7 +11,7 @@ namespace armature::pendant {
 
 // The names of Page::kProgram are those of ProgramClient::State.
 static_assert(kProgramNames.size() == static_cast<std::size_t>(ProgramClient::State::kAborted) + 1);
-static_assert(kMaxMessageText >= ProgramNoted::kMostText);
+static_assert(kMaxMessageText >= ProgramNoted::kMaxText);
 
 namespace {
 

@@ -66,7 +66,7 @@ void ExpectedPositions::on_clock_started(Cycles now) {
     const Counts count = plant_.motor_counts(axis);
     const auto& [min, max] = shown_[axis];
     if (min == count && max == count) continue;
-    const CountRange unseen{.min = min - count - kMostFollowed, .max = max - count + kMostFollowed};
+    const CountRange unseen{.min = min - count - kMaxFollowed, .max = max - count + kMaxFollowed};
     lost_[axis] = lost_[axis] + unseen;
   }
   running_since_ = now;

@@ -11,7 +11,7 @@
 //
 // While the clock of the logic stands still, the decoder does not see the edges of a motor that moves. From then on
 // POSITION differs from the count of the encoder by another constant. How many counts are lost depends on the levels
-// before and after: the checker knows the number to within kMostFollowed counts, and learns the rest from the reads.
+// before and after: the checker knows the number to within kMaxFollowed counts, and learns the rest from the reads.
 #pragma once
 
 #include <cstddef>
@@ -53,7 +53,7 @@ class ExpectedPositions {
   // The decoder counts at most so many edges of what happened while the clock stood still: one that was in the filter,
   // one for the new levels (two with input jitter, if A and B changed and one of them is late), and one that follows
   // within the debounce time. One turn of A and B covers them.
-  static constexpr Counts kMostFollowed{4};
+  static constexpr Counts kMaxFollowed{4};
 
  private:
   [[nodiscard]] Cycles latency() const;

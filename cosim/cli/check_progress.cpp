@@ -28,10 +28,10 @@ void CheckProgress::draw() {
   if (!enabled_) return;
   clear();
   // A line that the terminal would break could not be removed.
-  constexpr std::size_t kMostNames = 50;  // characters
+  constexpr std::size_t kMaxNames = 50;  // characters
   std::string names;
   for (const std::string& name : running_) names += (names.empty() ? ": " : ", ") + name;
-  out_ << fmt::format("{} of {} scenarios{}", done_, total_, printable(names, kMostNames)) << std::flush;
+  out_ << fmt::format("{} of {} scenarios{}", done_, total_, printable(names, kMaxNames)) << std::flush;
   drawn_ = true;
 }
 

@@ -117,7 +117,7 @@ int run(const FkOptions& given, const SearchPath& path) {
   const PoseFrames frames = given.files.frames();
   const std::size_t joints = robot.spec.axis_count;
   if (!given.files.in) {
-    const auto joints_deg = parse_arguments("joint angles (deg)", given.joints, joints, kMostJointDeg);
+    const auto joints_deg = parse_arguments("joint angles (deg)", given.joints, joints, kMaxJointDeg);
     if (given.output.json) {
       print_json(pose_json(robot, frames, joints_deg));
     } else {

@@ -184,12 +184,12 @@ class Deviations {
 };
 
 int solve_one(const IkOptions& given, const ArmOfFile& robot) {
-  constexpr double kMostTurnDeg = 36'000;
-  const auto xyz = parse_arguments("--xyz (mm)", given.xyz, 3, kMostPositionMm);
-  const auto rpy = parse_arguments("--rpy (deg)", given.rpy, 3, kMostTurnDeg);
+  constexpr double kMaxTurnDeg = 36'000;
+  const auto xyz = parse_arguments("--xyz (mm)", given.xyz, 3, kMaxPositionMm);
+  const auto rpy = parse_arguments("--rpy (deg)", given.rpy, 3, kMaxTurnDeg);
   JointAngles previous{};
   if (!given.previous.empty()) {
-    previous = to_radians(parse_arguments("--previous (deg)", given.previous, robot.spec.axis_count, kMostJointDeg));
+    previous = to_radians(parse_arguments("--previous (deg)", given.previous, robot.spec.axis_count, kMaxJointDeg));
   }
   const Transform pose{rotation_from_rpy(rpy[0] * kRadPerDeg, rpy[1] * kRadPerDeg, rpy[2] * kRadPerDeg),
                        {xyz[0], xyz[1], xyz[2]}};

@@ -120,9 +120,9 @@ std::string table_number(double value, int digits, int width) {
 }
 
 TextInput read_input(const std::string& file) {
-  if (file != "-") return {file, read_text_file(file, kMostTableBytes)};
+  if (file != "-") return {file, read_text_file(file, kMaxTableBytes)};
   TextInput input{"standard input", {}};
-  input.text = read_text(std::cin, input.name, kMostTableBytes);
+  input.text = read_text(std::cin, input.name, kMaxTableBytes);
   if (std::ferror(stdin) != 0) throw InputError{input.name, "cannot read"};
   return input;
 }

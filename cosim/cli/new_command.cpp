@@ -44,13 +44,13 @@ struct NewOptions {
 
 void require_name(const std::string& name) {
   constexpr std::string_view kAllowed = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-";
-  constexpr std::size_t kMostCharacters = 100;
-  const bool valid = !name.empty() && name.size() <= kMostCharacters && name.front() != '-' &&
+  constexpr std::size_t kMaxCharacters = 100;
+  const bool valid = !name.empty() && name.size() <= kMaxCharacters && name.front() != '-' &&
                      name.find_first_not_of(kAllowed) == std::string::npos;
   if (!valid) {
     throw InputError{"new", fmt::format("'{}' is no name of a scenario; expected letters, digits, '_' and '-', at "
                                         "most {} of them",
-                                        name, kMostCharacters)};
+                                        name, kMaxCharacters)};
   }
   if (name == kRobotsFolder) {
     throw InputError{"new", fmt::format("'{}' is the folder of robots; expected another name", name)};

@@ -14,9 +14,9 @@ namespace fs = std::filesystem;
 
 // The path that a file of this name gets when it is created. Links are followed, even dangling ones.
 fs::path destination(fs::path file) {
-  constexpr int kMostLinks = 40;
+  constexpr int kMaxLinks = 40;
   std::error_code ignored;
-  for (int i = 0; i < kMostLinks && fs::is_symlink(fs::symlink_status(file, ignored)); ++i) {
+  for (int i = 0; i < kMaxLinks && fs::is_symlink(fs::symlink_status(file, ignored)); ++i) {
     file = file.parent_path() / fs::read_symlink(file, ignored);
   }
   const fs::path canonical = fs::weakly_canonical(fs::absolute(file, ignored), ignored);

@@ -12,7 +12,7 @@ class Pace {
 
   // A run that falls behind catches up with less than this. What it is slower beyond it is not made up for, so that
   // after a slow part the arm does not move faster than its pace.
-  static constexpr std::chrono::milliseconds kMostBehind{100};
+  static constexpr std::chrono::milliseconds kMaxBehind{100};
 
   // `factor`: simulated time per real time, above 0.
   Pace(double factor, Clock::time_point start) : factor_{factor}, start_{start} {}

@@ -57,7 +57,7 @@ OperatorProgram read_program(const std::filesystem::path& file) {
   const bool gcode = language == ProgramLanguage::kGcode;
   OperatorProgram program{.name = file.filename().string(),
                           .kind = gcode ? pendant::Content::kGcode : pendant::Content::kJob,
-                          .text = read_ascii_file(file, kMostSentBytes),
+                          .text = read_ascii_file(file, kMaxSentBytes),
                           .lines = {}};
   std::istringstream text{program.text};
   for (std::string line; std::getline(text, line);) {

@@ -19,7 +19,7 @@ constexpr std::string_view kReplay = "replay:";
 // The file also has the characters that the scenario sent. A character may begin in the last cycle of the run.
 void replay(const std::filesystem::path& file, Scenario& scenario) {
   auto& sends = scenario.serial_sends;
-  const std::string text = read_text_file(file, kMostTableBytes);
+  const std::string text = read_text_file(file, kMaxTableBytes);
   sends = parse_serial_log(file, text, *scenario.serial);
   scenario.sources.push_back(input_file(file, text));
   const auto late = std::erase_if(sends, [&](const SerialSendSpec& send) { return send.at_s > scenario.duration_s; });

@@ -47,7 +47,7 @@ void take_differences(std::vector<std::int64_t>& values) {
 ColumnCode column_code(const std::vector<std::int64_t>& values) {
   std::vector<std::int64_t> differences = values;
   ColumnCode best{.order = 0, .text = varints(differences)};
-  for (int order = 1; order <= kMostDifferences; ++order) {
+  for (int order = 1; order <= kMaxDifferences; ++order) {
     take_differences(differences);
     std::string bytes = varints(differences);
     if (bytes.size() < best.text.size()) best = {.order = order, .text = std::move(bytes)};

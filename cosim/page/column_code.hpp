@@ -12,11 +12,11 @@
 namespace armature::cosim {
 
 struct ColumnCode {
-  int order = 0;     // how often differences were taken, 0 to kMostDifferences
+  int order = 0;     // how often differences were taken, 0 to kMaxDifferences
   std::string text;  // base64
 };
 
-inline constexpr int kMostDifferences = 3;
+inline constexpr int kMaxDifferences = 3;
 
 // The shortest code of all orders. All differences must be below 2^52, so that a browser computes with them exactly.
 [[nodiscard]] ColumnCode column_code(const std::vector<std::int64_t>& values);

@@ -17,7 +17,7 @@ enum Field : std::size_t { kTimeField, kDirectionField, kByteField, kCharField, 
 
 std::vector<SerialRecord> read_serial_record(const std::filesystem::path& file) {
   if (!is_file(file)) return {};
-  const std::string text = read_text_file(file, kMostTableBytes);
+  const std::string text = read_text_file(file, kMaxTableBytes);
   std::vector<SerialRecord> records;
   double last_s = 0;
   CsvLine fields{file.string()};

@@ -190,7 +190,7 @@ std::optional<Frame> OperatorLink::next_command(Time now) {
 }
 
 bool OperatorLink::press(const Frame& command) {
-  if (!in_session_ || waiting_.size() >= kMostWaiting) return false;
+  if (!in_session_ || waiting_.size() >= kMaxWaiting) return false;
   waiting_.push_back(command);
   return true;
 }
@@ -241,7 +241,7 @@ std::optional<pendant::State> OperatorLink::state() const {
 
 void OperatorLink::say(std::string message) {
   messages_.push_back(std::move(message));
-  if (messages_.size() > kMostMessages) messages_.pop_front();
+  if (messages_.size() > kMaxMessages) messages_.pop_front();
 }
 
 void OperatorLink::drop_everything() {

@@ -28,8 +28,8 @@ class OperatorLink {
   static constexpr Time kRepeatAfter{150'000};
   static constexpr Time kJogEvery{25'000};  // the controller stops a jog 100 ms after the last command
   static constexpr Time kTelemetryPeriod{50'000};
-  static constexpr std::size_t kMostWaiting = 16;   // commands
-  static constexpr std::size_t kMostMessages = 32;  // the oldest ones are dropped
+  static constexpr std::size_t kMaxWaiting = 16;   // commands
+  static constexpr std::size_t kMaxMessages = 32;  // the oldest ones are dropped
 
   // `session`: a number that the last pendant on this line did not have.
   explicit OperatorLink(std::int32_t session) : session_{session & pendant::kLargestPayload} {}

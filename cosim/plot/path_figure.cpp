@@ -120,14 +120,14 @@ struct SquareScales {
 
 SquareScales square_scales(const std::vector<PlotPoint>& points, double width) {
   constexpr double kMargin = 1.08;
-  constexpr double kMostHeight = 1.0;  // of the width
+  constexpr double kMaxHeight = 1.0;  // of the width
   constexpr double kLeastHeight = 0.4;
   const auto [left, right] = std::ranges::minmax_element(points, {}, &PlotPoint::x);
   const auto [bottom, top] = std::ranges::minmax_element(points, {}, &PlotPoint::y);
   constexpr double kLeastMm = 0.1;
   const double across = std::max(right->x - left->x, kLeastMm) * kMargin;
   const double upwards = std::max(top->y - bottom->y, kLeastMm) * kMargin;
-  const double height = std::clamp(upwards / across, kLeastHeight, kMostHeight) * width;
+  const double height = std::clamp(upwards / across, kLeastHeight, kMaxHeight) * width;
   const double mm_px = std::max(across / width, upwards / height);
   const double x = (left->x + right->x) / 2;
   const double y = (bottom->y + top->y) / 2;

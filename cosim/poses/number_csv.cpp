@@ -15,7 +15,7 @@
 namespace armature::cosim {
 namespace {
 
-constexpr std::size_t kMostQuoted = 40;  // characters of the user's text in a message
+constexpr std::size_t kMaxQuoted = 40;  // characters of the user's text in a message
 
 struct Field {
   std::string_view text;  // without the blanks around it
@@ -23,7 +23,7 @@ struct Field {
 };
 
 std::string quoted_text(std::string_view text) {
-  return fmt::format("\"{}\"", printable(text, kMostQuoted));
+  return fmt::format("\"{}\"", printable(text, kMaxQuoted));
 }
 
 // A column as it was found. The file may be any file, such as one that a link leads to; its text is shown only if it
@@ -130,14 +130,14 @@ std::string header_of(const CsvLayout& layout) {
 }
 
 void CsvProblems::add(int line, int column, std::string_view key, std::string message) {
-  if (++count_ > kMostReported) return;
+  if (++count_ > kMaxReported) return;
   kept_.push_back({file_, Origin{line, column, {}}, std::string{key}, std::move(message)});
 }
 
 void CsvProblems::throw_if_any() {
   if (count_ == 0) return;
-  if (count_ > kMostReported) {
-    kept_.push_back({file_, Origin{}, {}, fmt::format("and {} more problems", count_ - kMostReported)});
+  if (count_ > kMaxReported) {
+    kept_.push_back({file_, Origin{}, {}, fmt::format("and {} more problems", count_ - kMaxReported)});
   }
   throw InputError{std::move(kept_)};
 }

@@ -30,10 +30,10 @@ using CsvLayout = std::vector<CsvColumn>;
 // `a,b,c`.
 [[nodiscard]] std::string header_of(const CsvLayout& layout);
 
-// The problems of one file. The first kMostReported are kept, the others are only counted.
+// The problems of one file. The first kMaxReported are kept, the others are only counted.
 class CsvProblems {
  public:
-  static constexpr std::size_t kMostReported = 20;
+  static constexpr std::size_t kMaxReported = 20;
 
   explicit CsvProblems(std::string file) : file_{std::move(file)} {}
   void add(int line, int column, std::string_view key, std::string message);

@@ -22,7 +22,7 @@ constexpr std::size_t kMatrixColumns = 12;
 CsvLayout joint_columns(std::string_view before, std::size_t joints) {
   CsvLayout layout;
   for (std::size_t i = 0; i < joints; ++i) {
-    layout.push_back({fmt::format("{}{}_deg", before, i + 1), kMostJointDeg, "deg"});
+    layout.push_back({fmt::format("{}{}_deg", before, i + 1), kMaxJointDeg, "deg"});
   }
   return layout;
 }
@@ -33,7 +33,7 @@ CsvLayout matrix_columns() {
   for (std::size_t i = 0; i < kMatrixColumns; ++i) {
     const bool position = i % 4 == 3;
     // No tighter range for the rotation: the check of the whole matrix gives a better message.
-    layout.push_back({fmt::format("t{}{}", i / 4 + 1, i % 4 + 1), kMostPositionMm, position ? "mm" : ""});
+    layout.push_back({fmt::format("t{}{}", i / 4 + 1, i % 4 + 1), kMaxPositionMm, position ? "mm" : ""});
   }
   return layout;
 }
@@ -132,7 +132,7 @@ std::string no_solution_text(const IkSolutions& solutions) {
   }
   // Poses of files are rigid, but a user frame or a tool can shift one beyond the largest position.
   if (solutions.status == IkStatus::kInvalidInput) {
-    return fmt::format("not a rigid pose within {} mm of the base", number_text(kMostPositionMm));
+    return fmt::format("not a rigid pose within {} mm of the base", number_text(kMaxPositionMm));
   }
   throw std::logic_error{
       fmt::format("no branch, but the status of the inverse kinematics is {}", static_cast<int>(solutions.status))};

@@ -16,8 +16,8 @@
 
 namespace armature::cosim {
 
-inline constexpr double kMostJointDeg = 36'000;  // a hundred turns, as for the limits in robot files
-inline constexpr double kMostPositionMm = 1e9;
+inline constexpr double kMaxJointDeg = 36'000;  // a hundred turns, as for the limits in robot files
+inline constexpr double kMaxPositionMm = 1e9;
 inline constexpr double kRotationTolerance = 1e-6;  // that of is_rigid()
 
 // Why this is not a rotation matrix (is_rigid() in transform.hpp: orthonormal within a millionth, determinant +1).

@@ -41,7 +41,7 @@ RunRecord read_run_record(const fs::path& folder, const char* trace_file, const 
   const fs::path file = folder / summary_file;
   return {.folder = folder,
           .trace = std::move(trace),
-          .summary = parse_summary(read_text_file(file, kMostTableBytes), file)};
+          .summary = parse_summary(read_text_file(file, kMaxTableBytes), file)};
 }
 
 RunRecord read_run_record(const fs::path& folder, const char* trace_file, const std::string& summary,

@@ -19,14 +19,14 @@ struct Cell {
 
 // The exact value of a decimal text. CsvRow has checked that it is a number; the writer uses no exponents.
 Cell cell_of(std::string_view text) {
-  constexpr std::size_t kMostDigits = 18;  // always fit an int64
+  constexpr std::size_t kMaxDigits = 18;  // always fit an int64
   Cell cell;
   bool point = false;
   std::size_t digits = 0;
   for (const char c : text) {
     if (c == '.') {
       point = true;
-    } else if (c >= '0' && c <= '9' && ++digits <= kMostDigits) {
+    } else if (c >= '0' && c <= '9' && ++digits <= kMaxDigits) {
       cell.value = cell.value * 10 + (c - '0');
       cell.digits += point ? 1 : 0;
     }

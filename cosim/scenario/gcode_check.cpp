@@ -23,7 +23,7 @@ namespace {
 
 using gcode::CanonInterpreter;
 
-constexpr int kMostErrors = 20;  // of a file, for each of which the program is executed again
+constexpr int kMaxErrors = 20;  // of a file, for each of which the program is executed again
 
 // The problems of a program, each in its file.
 class ProgramProblems {
@@ -95,7 +95,7 @@ void check_gcode(const Scenario& scenario, std::vector<Problem>& all) {
   JoinedGcode program{scenario.program_files};
   std::set<std::uint32_t> lines;  // with an error
   std::vector<std::int64_t> tools = scenario.gcode.tools;
-  for (int errors = 0; errors < kMostErrors; ++errors) {
+  for (int errors = 0; errors < kMaxErrors; ++errors) {
     const auto interpreter = std::make_unique<CanonInterpreter>(motion);
     gcode::ToolNumbers numbers;
     for (const std::int64_t tool : tools) numbers.set(static_cast<std::size_t>(tool));

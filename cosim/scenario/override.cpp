@@ -27,7 +27,7 @@ std::optional<std::vector<Step>> parse_path(std::string_view text) {
   while (true) {
     const std::string_view key = text.substr(0, text.find_first_of(".["));
     if (!is_bare_key(key)) return std::nullopt;
-    if (steps.size() >= kMostKeyParts) return std::nullopt;
+    if (steps.size() >= kMaxKeyParts) return std::nullopt;
     steps.emplace_back(std::string{key});
     text.remove_prefix(key.size());
     while (text.starts_with('[')) {

@@ -29,7 +29,7 @@ void load_pendant_programs(Scenario& scenario, std::vector<Problem>& all) {
       continue;
     }
     try {
-      step.text = read_ascii_file(file, kMostSentBytes);
+      step.text = read_ascii_file(file, kMaxSentBytes);
       if (step.text.empty()) problem("the file is empty");
       scenario.sources.push_back(input_file(file, step.text));
     } catch (const InputError& error) {

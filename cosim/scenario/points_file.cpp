@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "cosim/poses/number_csv.hpp"
+#include "cosim/scenario/tables/shared_keys.hpp"
 #include "cosim/text/printable.hpp"
 #include "cosim/text/text_file.hpp"
 
@@ -15,17 +16,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kMostPlaceMm = 100'000;  // as the key `xyz_mm` permits
-
 void read_points(const std::string& text, const std::string& file, std::vector<std::array<double, 3>>& points) {
   const std::array<CsvLayout, 1> layouts{
-      CsvLayout{{"x_mm", kMostPlaceMm, "mm"}, {"y_mm", kMostPlaceMm, "mm"}, {"z_mm", kMostPlaceMm, "mm"}}};
+      CsvLayout{{"x_mm", kMaxPlaceMm, "mm"}, {"y_mm", kMaxPlaceMm, "mm"}, {"z_mm", kMaxPlaceMm, "mm"}}};
   std::size_t rows = 0;
   read_number_csv(text, file, layouts, [&](const NumberRow& row, CsvProblems& problems) {
-    if (++rows == kMostPoints + 1) {
-      problems.add(row.line, 1, "", "more than " + std::to_string(kMostPoints) + " points");
+    if (++rows == kMaxPoints + 1) {
+      problems.add(row.line, 1, "", "more than " + std::to_string(kMaxPoints) + " points");
     }
-    if (rows > kMostPoints) return;
+    if (rows > kMaxPoints) return;
     const std::array<double, 3> point{row.values[0], row.values[1], row.values[2]};
     if (points.empty() || point != points.back()) points.push_back(point);
   });
@@ -49,7 +48,7 @@ void load_points(Scenario& scenario, std::vector<Problem>& all) {
       continue;
     }
     try {
-      const std::string text = read_text_file(file, kMostTableBytes);
+      const std::string text = read_text_file(file, kMaxTableBytes);
       read_points(text, name, polyline->points_mm);
       scenario.sources.push_back(input_file(name, text));
     } catch (const InputError& error) {

@@ -19,12 +19,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostProgramBytes = std::size_t{64} << 20U;
+constexpr std::size_t kMaxProgramBytes = std::size_t{64} << 20U;
 
 // Reads a file in the folder of the scenario. `name` is relative to that folder.
 void read_program(Scenario& scenario, const std::string& name) {
   const fs::path file = (fs::path{scenario.file}.parent_path() / name).lexically_normal();
-  std::string text = read_text_file(file, kMostProgramBytes);
+  std::string text = read_text_file(file, kMaxProgramBytes);
   scenario.sources.push_back(input_file(file, text));
   scenario.program_files.push_back({.name = name, .file = file.string(), .text = std::move(text)});
 }

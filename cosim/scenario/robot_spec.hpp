@@ -15,8 +15,8 @@
 namespace armature::cosim {
 
 // What a robot file can say of a motor.
-inline constexpr double kMostMotorRpm = 100'000;
-inline constexpr double kMostMotorNm = 10'000;
+inline constexpr double kMaxMotorRpm = 100'000;
+inline constexpr double kMaxMotorNm = 10'000;
 
 struct DriveSpec {
   double natural_hz = 40.0;       // natural frequency of the position loop
@@ -88,8 +88,8 @@ inline constexpr std::string_view kIdealPlant = "ideal";
   AxisSpec axis;
   axis.gear_ratio = 100;
   axis.drive.natural_hz = 200;
-  axis.drive.max_speed_rpm = kMostMotorRpm;
-  axis.drive.max_torque_nm = kMostMotorNm;
+  axis.drive.max_speed_rpm = kMaxMotorRpm;
+  axis.drive.max_torque_nm = kMaxMotorNm;
   return axis;
 }
 

@@ -81,11 +81,11 @@ ScenarioRobot load_named_robot(Scenario& scenario, const LoadOptions& options, T
 
 // Reads the files of the streams. Their problems are added to `all`.
 void read_streams(Scenario& scenario, std::vector<Problem>& all) {
-  constexpr std::size_t kMostStreamBytes = 64u << 20;
+  constexpr std::size_t kMaxStreamBytes = 64u << 20;
   for (StreamSpec& stream : scenario.streams) {
     try {
       const fs::path file = fs::path{scenario.file}.parent_path() / stream.file_name;
-      const std::string text = read_text_file(file, kMostStreamBytes);
+      const std::string text = read_text_file(file, kMaxStreamBytes);
       parse_stream(text, file.string(), scenario.robot.axis_count, stream);
       if (stream.kind == StreamSpec::Kind::kTool && !scenario.robot.kinematics) {
         throw InputError{file.string(), "has poses of the tool, but the robot has no [kinematics]"};

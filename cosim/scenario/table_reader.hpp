@@ -52,7 +52,7 @@ class TableReader {
   // Calls visit(TableReader&) for every element of an array of tables, then reports unknown keys. Returns the
   // number of elements. More than `most` elements are a problem, and then none is visited.
   template <std::invocable<TableReader&> Visit>
-  std::size_t tables(std::string_view key, Visit visit, std::size_t most = kMostTables);
+  std::size_t tables(std::string_view key, Visit visit, std::size_t most = kMaxTables);
 
   // A key that is not allowed here. It is reported with `why` if it is written.
   void reject(std::string_view key, const std::string& why);

@@ -64,7 +64,7 @@ ConfigValue parse_toml(std::string_view text, const std::string& file) {
 
 std::string read_toml(const std::filesystem::path& file) {
   require_regular_file(file);
-  return read_text_file(file, kMostTomlBytes);
+  return read_text_file(file, kMaxTomlBytes);
 }
 
 }  // namespace armature::cosim

@@ -35,18 +35,18 @@ class Scan {
   void count(char c) {
     if (c == '\n') ++line_;
     if (c == '.') {
-      if (++dots_ >= kMostKeyParts) {
-        fail("expected keys of at most " + std::to_string(kMostKeyParts) + " parts, joined by dots");
+      if (++dots_ >= kMaxKeyParts) {
+        fail("expected keys of at most " + std::to_string(kMaxKeyParts) + " parts, joined by dots");
       }
     } else if (std::string_view{"\n=,[]{}"}.find(c) != std::string_view::npos) {
       dots_ = 0;
     }
-    if ((c == '[' || c == '{') && ++depth_ > kMostNestedValues) {
-      fail("expected at most " + std::to_string(kMostNestedValues) + " nested arrays and tables");
+    if ((c == '[' || c == '{') && ++depth_ > kMaxNestedValues) {
+      fail("expected at most " + std::to_string(kMaxNestedValues) + " nested arrays and tables");
     }
     if ((c == ']' || c == '}') && depth_ > 0) --depth_;
-    if (std::string_view{"=,[."}.find(c) != std::string_view::npos && ++values_ > kMostTomlValues) {
-      fail("expected at most " + std::to_string(kMostTomlValues) + " values and parts of keys in a file");
+    if (std::string_view{"=,[."}.find(c) != std::string_view::npos && ++values_ > kMaxTomlValues) {
+      fail("expected at most " + std::to_string(kMaxTomlValues) + " values and parts of keys in a file");
     }
   }
 
@@ -55,7 +55,7 @@ class Scan {
     std::string_view kind = text_.substr(at_ + 2, std::min(text_.find_first_of("]\n", at_), text_.size()) - at_ - 2);
     const std::size_t first = std::min(kind.find_first_not_of(" \t"), kind.size());
     kind = kind.substr(first, kind.find_last_not_of(" \t") + 1 - first);
-    if (++tables_[kind] > kMostTables) fail("expected " + at_most_tables(kMostTables, kind));
+    if (++tables_[kind] > kMaxTables) fail("expected " + at_most_tables(kMaxTables, kind));
   }
 
   // At a quote. A string of one line ends with the line at the latest: then the text is no TOML.
@@ -108,8 +108,8 @@ std::string at_most_tables(std::size_t most, std::string_view kind) {
 }
 
 void check_toml_limits(std::string_view text, const std::string& file) {
-  if (text.size() > kMostTomlBytes) {
-    throw InputError{file, "is too large, expected at most " + std::to_string(kMostTomlBytes >> 20U) + " MiB"};
+  if (text.size() > kMaxTomlBytes) {
+    throw InputError{file, "is too large, expected at most " + std::to_string(kMaxTomlBytes >> 20U) + " MiB"};
   }
   Scan{text, file}.run();
 }

@@ -8,11 +8,11 @@
 
 namespace armature::cosim {
 
-inline constexpr std::size_t kMostTomlBytes = std::size_t{16} << 20U;
-inline constexpr std::size_t kMostTomlValues = 500'000;  // values and parts of keys, by the signs between them
-inline constexpr std::size_t kMostTables = 10'000;       // of one [[kind]]
-inline constexpr std::size_t kMostKeyParts = 16;         // of a dotted key
-inline constexpr std::size_t kMostNestedValues = 32;     // nested arrays and inline tables
+inline constexpr std::size_t kMaxTomlBytes = std::size_t{16} << 20U;
+inline constexpr std::size_t kMaxTomlValues = 500'000;  // values and parts of keys, by the signs between them
+inline constexpr std::size_t kMaxTables = 10'000;       // of one [[kind]]
+inline constexpr std::size_t kMaxKeyParts = 16;         // of a dotted key
+inline constexpr std::size_t kMaxNestedValues = 32;     // nested arrays and inline tables
 
 // `expected at most 10000 tables [[move]]`
 [[nodiscard]] std::string at_most_tables(std::size_t most, std::string_view kind);

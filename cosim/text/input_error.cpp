@@ -9,7 +9,7 @@
 namespace armature::cosim {
 namespace {
 
-constexpr std::size_t kMostOfMessage = 2000;  // characters; names of files are no longer than the system allows
+constexpr std::size_t kMaxOfMessage = 2000;  // characters; names of files are no longer than the system allows
 
 std::string join_lines(const std::vector<Problem>& problems) {
   std::string text;
@@ -24,7 +24,7 @@ std::string join_lines(const std::vector<Problem>& problems) {
 
 std::string place_text(const std::string& file, const Origin& origin) {
   if (!origin.override_text.empty()) return "--set " + printable(origin.override_text.str());
-  std::string text = printable(file, kMostOfMessage);
+  std::string text = printable(file, kMaxOfMessage);
   if (origin.line > 0) text.append(":").append(std::to_string(origin.line));
   if (origin.line > 0 && origin.column > 0) text.append(":").append(std::to_string(origin.column));
   return text;
@@ -33,7 +33,7 @@ std::string place_text(const std::string& file, const Origin& origin) {
 std::string Problem::text() const {
   std::string text = place_text(file, origin);
   if (!key.empty()) text.append(": ").append(printable(key));
-  return text.append(": ").append(printable(message, kMostOfMessage));
+  return text.append(": ").append(printable(message, kMaxOfMessage));
 }
 
 InputError::InputError(std::vector<Problem> problems)
@@ -45,7 +45,7 @@ InputError::InputError(const std::string& file, const std::string& message)
     : InputError{Problem{file, Origin{}, std::string{}, message}} {}
 
 void ProblemList::add(const Origin& origin, std::string_view key, std::string message) {
-  if (++size_ <= kMostKept) problems_.push_back({file_, origin, std::string{key}, std::move(message)});
+  if (++size_ <= kMaxKept) problems_.push_back({file_, origin, std::string{key}, std::move(message)});
 }
 
 void ProblemList::move_to(std::vector<Problem>& all) {
@@ -55,8 +55,8 @@ void ProblemList::move_to(std::vector<Problem>& all) {
   std::stable_sort(problems_.begin(), problems_.end(),
                    [&](const Problem& a, const Problem& b) { return place(a) < place(b); });
   std::move(problems_.begin(), problems_.end(), std::back_inserter(all));
-  if (size_ > kMostKept) {
-    all.push_back({file_, Origin{}, {}, "and " + std::to_string(size_ - kMostKept) + " more problems"});
+  if (size_ > kMaxKept) {
+    all.push_back({file_, Origin{}, {}, "and " + std::to_string(size_ - kMaxKept) + " more problems"});
   }
   problems_.clear();
   size_ = 0;

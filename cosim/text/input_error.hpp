@@ -44,16 +44,16 @@ class InputError : public std::runtime_error {
   std::vector<Problem> problems_;
 };
 
-// Collects the problems of one file, so that the user sees all of them: the first kMostKept in full, then their
+// Collects the problems of one file, so that the user sees all of them: the first kMaxKept in full, then their
 // number.
 class ProblemList {
  public:
-  static constexpr std::size_t kMostKept = 100;
+  static constexpr std::size_t kMaxKept = 100;
 
   explicit ProblemList(std::string file) : file_{std::move(file)} {}
   void add(const Origin& origin, std::string_view key, std::string message);
   [[nodiscard]] std::size_t size() const noexcept { return size_; }
-  [[nodiscard]] bool is_full() const noexcept { return size_ > kMostKept; }  // more of them are only counted
+  [[nodiscard]] bool is_full() const noexcept { return size_ > kMaxKept; }  // more of them are only counted
   // Moves the problems to the end of `all`, sorted by place (overrides last).
   void move_to(std::vector<Problem>& all);
 

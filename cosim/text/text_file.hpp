@@ -10,7 +10,7 @@
 namespace armature::cosim {
 
 // Largest size of a file of numbers: more than any list of poses or log of a serial line needs, but not all of memory.
-inline constexpr std::size_t kMostTableBytes = std::size_t{256} << 20U;
+inline constexpr std::size_t kMaxTableBytes = std::size_t{256} << 20U;
 
 // A regular file, or a link to one.
 [[nodiscard]] bool is_file(const std::filesystem::path& path);

@@ -10,7 +10,7 @@
 namespace armature::bench {
 namespace {
 
-constexpr unsigned kMostIterations = 100;
+constexpr unsigned kMaxIterations = 100;
 constexpr double kTolerance = 1e-6;  // m and rad
 
 KDL::Chain chain_of(const KdlArmModel& model) {
@@ -52,7 +52,7 @@ struct KdlArm::Solvers {
   KDL::JntArray start{6}, found{6};
   KDL::ChainFkSolverPos_recursive forward{chain};
   KDL::ChainIkSolverVel_pinv velocity{chain};
-  KDL::ChainIkSolverPos_NR_JL newton{chain, lowest, highest, forward, velocity, kMostIterations, kTolerance};
+  KDL::ChainIkSolverPos_NR_JL newton{chain, lowest, highest, forward, velocity, kMaxIterations, kTolerance};
   // Its own weights count 1 rad as 1 cm, so it stops at 1e-4 rad.
   KDL::ChainIkSolverPos_LMA levenberg_marquardt{chain, Eigen::Matrix<double, 6, 1>::Ones(), kTolerance};
 };

@@ -50,11 +50,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     interpreter->executor().save(*stored);
     return stored;
   }();
-  constexpr int kMostSteps = 3'000;                                           // of a program without an end
+  constexpr int kMaxSteps = 3'000;                                            // of a program without an end
   const std::string_view program{reinterpret_cast<const char*>(data), size};  // NOLINT: bytes as text
   interpreter->executor().restore(*fresh);  // a finding must not depend on the programs before
   CanonInterpreter::State state = interpreter->begin({.text = program}, {});
-  for (int i = 0; i < kMostSteps && state != CanonInterpreter::State::kEnded; ++i) {
+  for (int i = 0; i < kMaxSteps && state != CanonInterpreter::State::kEnded; ++i) {
     if (state == CanonInterpreter::State::kFailed) {
       if (interpreter->error().line == 0 || interpreter->error().line > size + 1) std::abort();
       break;

@@ -14,7 +14,7 @@ namespace {
 constexpr double kTravelShare = 1.25;
 
 // The index must come within a revolution. An eighth is for the lag of the drive.
-constexpr double kMostRevolutionsToIndex = 1.125;
+constexpr double kMaxRevolutionsToIndex = 1.125;
 
 // An axis stands when its encoder has not moved by more than a count for this time: 20 ms, several time constants of a
 // drive.
@@ -151,7 +151,7 @@ void AxisHoming::find_index(const HomingSensors& sensors) noexcept {
     move_to(model_.home_rad - units_.to_radians(shift_).value(), model_.search_rad_s);
   } else if (limit_ahead(sensors)) {
     fail(HomingEnd::kLimit);
-  } else if (law_over() || distance(edge_, sensors.position) > kMostRevolutionsToIndex * revolution) {
+  } else if (law_over() || distance(edge_, sensors.position) > kMaxRevolutionsToIndex * revolution) {
     fail(HomingEnd::kNoIndex);
   }
 }

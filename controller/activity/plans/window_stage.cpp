@@ -77,10 +77,10 @@ bool WindowStage::start_planning(RegisterBus& bus) noexcept {
   const double end = now + kLatestShare * (duration - now);
   const double brakes = planner.continue_before_s() / kTickSeconds;
   // A window of as many moves as it can have is planned in time.
-  constexpr auto kMost = static_cast<double>(CartesianPlan::kMaxSegments);
+  constexpr auto kMax = static_cast<double>(CartesianPlan::kMaxSegments);
   const std::size_t there = requests.requests().size();
   const double of_each = there > 0 ? expected_ticks(there) / static_cast<double>(there) : 0.0;
-  if (now + 2.0 * (kReactionTicks + kMost * of_each) < brakes) return false;
+  if (now + 2.0 * (kReactionTicks + kMax * of_each) < brakes) return false;
 
   // For the moves of the present plan that are not over at about `tick`. They are planned again.
   const auto left = [&](double tick) {

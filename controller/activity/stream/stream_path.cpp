@@ -12,7 +12,7 @@ void StreamPath::begin(const StreamSample& first) noexcept {
 }
 
 bool StreamPath::add(const StreamSample& sample) noexcept {
-  if (count_ == kMost || sample.time <= newest()) return false;
+  if (count_ == kMax || sample.time <= newest()) return false;
   at(count_++) = {.time = sample.time, .joint_rad = sample.joint_rad};
   complete_ = sample.kind == StreamSample::Kind::kLast;
   return true;
@@ -21,7 +21,7 @@ bool StreamPath::add(const StreamSample& sample) noexcept {
 void StreamPath::move_to(Ticks time) noexcept {
   while (count_ > 1 && time >= at(1).time) {
     // The slope at the end of a cubic is that at the start of the next one.
-    first_ = (first_ + 1) % kMost;
+    first_ = (first_ + 1) % kMax;
     --count_;
     slopes_fixed_ = false;
   }

@@ -17,7 +17,7 @@ namespace armature {
 class StreamPath {
  public:
   // Set-points that may wait: as many as a client can be early.
-  static constexpr std::size_t kMost = 32;
+  static constexpr std::size_t kMax = 32;
 
   void begin(const StreamSample& first) noexcept;
   // False when there is no room, or the time is not after the one before: it is dropped.
@@ -36,11 +36,11 @@ class StreamPath {
     PerAxis<double> joint_rad{};
     PerAxis<double> slope_rad_s{};
   };
-  [[nodiscard]] const Knot& at(std::size_t i) const noexcept { return knots_[(first_ + i) % kMost]; }
-  [[nodiscard]] Knot& at(std::size_t i) noexcept { return knots_[(first_ + i) % kMost]; }
+  [[nodiscard]] const Knot& at(std::size_t i) const noexcept { return knots_[(first_ + i) % kMax]; }
+  [[nodiscard]] Knot& at(std::size_t i) noexcept { return knots_[(first_ + i) % kMax]; }
   void set_slope(std::size_t i) noexcept;
 
-  std::array<Knot, kMost> knots_{};
+  std::array<Knot, kMax> knots_{};
   std::size_t first_ = 0;
   std::size_t count_ = 0;
   bool complete_ = false;      // the newest knot is the last one

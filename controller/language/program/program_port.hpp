@@ -20,7 +20,7 @@ struct ProgramNote {
   using Kind = ProgramNoted::Kind;  // an interpreter gives kLine, kMessage, kAlarm, kWaits and kWaited
   Kind kind = Kind::kLine;
   ProgramPlace place = 0;
-  FixedText<ProgramNoted::kMostText> text{};
+  FixedText<ProgramNoted::kMaxText> text{};
 };
 
 // The text of kWaited when the condition did not come true in its time.

@@ -69,7 +69,7 @@ void Plateaus::add(const Run& run, Plateau plateau) noexcept {
     // The same peak from another window.
     if (found_[i].from == plateau.from && found_[i].to == plateau.to) return;
   }
-  if (count_ < kMost) found_[count_++] = plateau;
+  if (count_ < kMax) found_[count_++] = plateau;
 }
 
 void Plateaus::cut(const Run& run, std::size_t peak) noexcept {

@@ -26,9 +26,9 @@ struct Plateau {
 
 class Plateaus {
  public:
-  static constexpr std::size_t kMost = 256;
+  static constexpr std::size_t kMax = 256;
 
-  // Finds the plateaus that a motion of `table` needs. `law` is the law of the table. Where there are more than kMost,
+  // Finds the plateaus that a motion of `table` needs. `law` is the law of the table. Where there are more than kMax,
   // the others are found when these have been made. `joint`: the motion is already executed up to this point, so
   // plateaus begin behind it and are no slower than the speed there; null: nothing is executed.
   void find(const TimeTable& table, const TableRun& motion, double tau_s, const SpeedLaw& law,
@@ -49,7 +49,7 @@ class Plateaus {
   void fill(const Run& run, std::size_t valley) noexcept;
   void add(const Run& run, Plateau plateau) noexcept;
 
-  std::array<Plateau, kMost> found_{};
+  std::array<Plateau, kMax> found_{};
   std::size_t count_ = 0;
 };
 

@@ -27,7 +27,7 @@ namespace armature {
 class SpeedLaw {
  public:
   static constexpr std::size_t kMaxPoints = 4096;
-  static constexpr int kMostRounds = 5;
+  static constexpr int kMaxRounds = 5;
   enum class Progress : std::uint8_t { kWorking, kDone };
 
   // Removes all points. The motion then starts at rest. At most `most` <= kMaxPoints points are used.
@@ -77,7 +77,7 @@ class SpeedLaw {
 
   // Starts the passes over the present points, at least two. Points are added in at most `rounds` - 1 rounds: constant
   // limits need three for a trapezoid that is one interval.
-  void begin(int rounds = kMostRounds) noexcept;
+  void begin(int rounds = kMaxRounds) noexcept;
   // Continues them for about this many intervals. One takes some microseconds.
   Progress work(std::size_t intervals) noexcept;
   void plan() noexcept {

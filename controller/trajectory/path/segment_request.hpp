@@ -44,11 +44,11 @@ struct PathLimits {
 // A motion around an axis, and along it at the same time (arc_about()).
 struct AboutAxis {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  // of any length
-  double angle_rad = 0.0;                           // right-handed about the axis, up to kMostRevolutions either way
+  double angle_rad = 0.0;                           // right-handed about the axis, up to kMaxRevolutions either way
   double advance_mm = 0.0;                          // along the axis
   ARMATURE_MEMBERS(AboutAxis, axis, angle_rad, advance_mm)
 };
-inline constexpr double kMostRevolutions = 100.0;
+inline constexpr double kMaxRevolutions = 100.0;
 
 // The points between the start and the end of a spline, in their order.
 struct ThroughPoints {

@@ -97,7 +97,7 @@ void BendLayout::consider(CartesianPlan& plan, const Sample& next) noexcept {
   const bool at_end = (closest <= room.from && room.rests_before) || (closest >= room.to && room.rests_after);
   if (at_end && miss > kAtWrist_rad) return;  // it only begins or ends near the singularity
   for (double angle = std::max(kWidest_rad, kLeastRatio * miss); angle >= kNarrowest_rad; angle *= 0.5) {
-    if (angle < kLeastRatio * miss || plan.bends.count == WristBends::kMost) return;
+    if (angle < kLeastRatio * miss || plan.bends.count == WristBends::kMax) return;
     Sample behind;
     if (!place(plan, room, closest, angle, behind)) continue;
     samples_ = 0;

@@ -53,10 +53,10 @@ void CartesianPlanner::begin(const JointAngles& start, std::span<const SegmentRe
   inverses_ = 0;
   first_work_ = {};
   planning_law_ = false;
-  constexpr std::size_t kMost = CartesianPlan::kMaxFirstSegments;
+  constexpr std::size_t kMax = CartesianPlan::kMaxFirstSegments;
   problem_ = lay_out_path(plan_, plane_, start, arm_.forward(start) * plane_.flange_T_tool(), chain);
   plan_.after_unasked_stop = after_unasked_stop;
-  if (chain.size() > kMost) problem_ = {.kind = PathProblem::Kind::kTooManySegments, .segment = kMost};
+  if (chain.size() > kMax) problem_ = {.kind = PathProblem::Kind::kTooManySegments, .segment = kMax};
   if (problem_.kind == PathProblem::Kind::kNone) {
     lay_out_corners(plan_, chain, true);
   }

@@ -12,7 +12,7 @@ namespace armature {
 namespace {
 
 constexpr double kEnough = 0.8;  // of the square of the speed in a corner
-constexpr int kMostHalvings = 12;
+constexpr int kMaxHalvings = 12;
 
 // The mean deceleration at the end of a motion.
 double braking(const TimeTable& table) {
@@ -110,7 +110,7 @@ bool CartesianPlanner::extend(Ticks earliest, double blend_mm, std::span<const S
     // The motion must have time to brake before the corner at its present end.
     const double square = joint->passing.speed * joint->passing.speed;
     double& corner = plan_.segments[last].corner;
-    for (int i = 0; i < kMostHalvings && corner > 0.0; ++i) {
+    for (int i = 0; i < kMaxHalvings && corner > 0.0; ++i) {
       const double way = end_s - corner - joint->passing.s - before_braking;
       const double left = square - 2.0 * deceleration * way;
       if (left <= kEnough * most_square_in_corner(plan_, last)) break;

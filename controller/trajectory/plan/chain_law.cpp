@@ -22,7 +22,7 @@ constexpr double kTimeRounding_s = 1e-9;
 void ChainLaw::begin(const CartesianPlan& plan) noexcept {
   stage_ = Stage::kToolGrid;
   smooth_ = false;
-  rounds_ = SpeedLaw::kMostRounds;
+  rounds_ = SpeedLaw::kMaxRounds;
   grid_.begin(plan, law_, LawGrid::With::kToolOnly);
 }
 

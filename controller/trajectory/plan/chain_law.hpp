@@ -118,7 +118,7 @@ class ChainLaw {
   Stage stage_ = Stage::kDone;
   // The points of a window are so close that few have to be added.
   static constexpr int kWindowRounds = 2;
-  int rounds_ = SpeedLaw::kMostRounds;
+  int rounds_ = SpeedLaw::kMaxRounds;
   bool lowered_ = false;
   double held_to_ = 0.0;  // up to here, the law keeps the speed that it has at the joint
   int inverses_ = 0;

@@ -9,17 +9,17 @@ namespace armature {
 namespace {
 
 // Where the corner before a move must be planned again, so many ends on the path are tried.
-constexpr int kMostEntries = 4;
+constexpr int kMaxEntries = 4;
 // A plan between two states of motion takes the time of so many plans to rest (measured: 11 and 13).
 constexpr std::int64_t kPassageRetargets = 12;
-static_assert(kPassageRetargets <= kMostOfStep.retargets);
+static_assert(kPassageRetargets <= kMaxOfStep.retargets);
 
 bool executable(const RetargetPlan& plan, const RobotModel& robot) {
   return plan.duration <= kLongestMove && !axis_outside(plan, robot);
 }
 
 [[maybe_unused]] bool is_allowed(const CornerWork& work) {
-  return work.inverses <= kMostOfStep.inverses && work.retargets <= kMostOfStep.retargets;
+  return work.inverses <= kMaxOfStep.inverses && work.retargets <= kMaxOfStep.retargets;
 }
 
 }  // namespace
@@ -189,7 +189,7 @@ void ArrivalPlanner::end_search() noexcept {
   }
   if (found_) return end();
   at_ = at_ * 3 / 4;
-  if (++entries_ < kMostEntries) return search_begin();
+  if (++entries_ < kMaxEntries) return search_begin();
   at_ = 0;
   end();
 }

@@ -25,7 +25,7 @@ struct CornerWork {
 };
 // No step takes more. A step with joint plans has at most 150 inverse kinematics, so the longest one takes 0.66 ms
 // where an inverse kinematics takes 3 us and a joint plan 15 us. Usually a step takes 0.25 ms.
-inline constexpr CornerWork kMostOfStep{.inverses = 220, .retargets = 12};
+inline constexpr CornerWork kMaxOfStep{.inverses = 220, .retargets = 12};
 
 // A path that leads into a joint move with a corner.
 struct PathBefore {

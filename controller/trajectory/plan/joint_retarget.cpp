@@ -11,11 +11,11 @@ namespace armature {
 namespace {
 
 // What rounding may add to the end of a law, in rad and in parts of its way. The set-points jump by it at the end.
-constexpr double kMostMiss = 1e-13;
+constexpr double kMaxMiss = 1e-13;
 // In ticks; a law that takes longer is cut off.
-constexpr double kMostExcess = 1e-6;
+constexpr double kMaxExcess = 1e-6;
 // One tick more is enough for what whole_ticks() rounds down. More would be a defect of the laws.
-constexpr int kMostAttempts = 2;
+constexpr int kMaxAttempts = 2;
 
 // Returns whether all laws end at the target within the duration.
 bool fill(RetargetPlan& plan, const PerAxis<AxisReach>& reach, const PerAxis<TimeLawLimits>& limits) {
@@ -25,7 +25,7 @@ bool fill(RetargetPlan& plan, const PerAxis<AxisReach>& reach, const PerAxis<Tim
     const auto [law, miss] = reach[axis].motion(plan.target[axis].value(), duration_s);
     plan.laws[axis] = law;
     const double way = 3.0 + limits[axis].speed * duration_s;
-    fits = fits && miss <= kMostMiss * way && law.duration_s() <= duration_s + kMostExcess * kTickSeconds;
+    fits = fits && miss <= kMaxMiss * way && law.duration_s() <= duration_s + kMaxExcess * kTickSeconds;
   }
   return fits;
 }
@@ -43,7 +43,7 @@ RetargetPlan plan_retarget(const RobotModel& robot, const PerAxis<AxisState>& st
   }
   plan.duration = whole_ticks(longest_s);
   if (plan.duration > kLongestMove) return plan;
-  for (int attempt = 0; attempt < kMostAttempts && !fill(plan, reach, limits); ++attempt) plan.duration += Ticks{1};
+  for (int attempt = 0; attempt < kMaxAttempts && !fill(plan, reach, limits); ++attempt) plan.duration += Ticks{1};
   return plan;
 }
 

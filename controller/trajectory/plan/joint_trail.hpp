@@ -24,7 +24,7 @@ class JointTrail {
   // Call at every tick from 1 on. The places are up to (tick / 128) ticks apart.
   void add(std::int64_t tick, const JointAngles& joints) noexcept {
     if (tick % every_ != 0) return;
-    if (size_ == kMost) thin_out();
+    if (size_ == kMax) thin_out();
     if (tick % every_ == 0) places_[size_++] = {tick, joints};
   }
   // The last place at or before `tick` >= 0.
@@ -34,7 +34,7 @@ class JointTrail {
   }
 
  private:
-  static constexpr std::size_t kMost = 256;
+  static constexpr std::size_t kMax = 256;
 
   // Leaves every second place.
   void thin_out() noexcept {
@@ -43,7 +43,7 @@ class JointTrail {
     every_ *= 2;
   }
 
-  std::array<Place, kMost> places_{};
+  std::array<Place, kMax> places_{};
   std::size_t size_ = 0;
   std::int64_t every_ = 8;
 };

@@ -47,10 +47,10 @@ class KinkCheck {
 
   const Arm& arm_;
   static constexpr double kLeastKink = 0.1, kLeastKinkOfJerk = 0.5;
-  static constexpr std::size_t kMostKinks = TimeTable::kMaxPoints;
+  static constexpr std::size_t kMaxKinks = TimeTable::kMaxPoints;
   void add_kinks(const TimeTable& table, bool in_window) noexcept;
 
-  std::array<std::int64_t, kMostKinks> kinks_{};  // last ticks before kinks, in order
+  std::array<std::int64_t, kMaxKinks> kinks_{};  // last ticks before kinks, in order
   std::size_t count_ = 0;
   std::size_t next_ = 0;
 };

@@ -18,10 +18,10 @@ namespace armature {
 namespace {
 
 // Of a piece; the joints are looked at more often.
-constexpr std::size_t kMostFirstPoints = 60;  // of a segment and its corner
+constexpr std::size_t kMaxFirstPoints = 60;   // of a segment and its corner
 constexpr std::size_t kPointsOfFirst = 2048;  // of a law of up to kMaxFirstSegments segments
 constexpr std::size_t kMoreOfFirst = kPointsOfFirst / 4;
-static_assert(kMostFirstPoints * CartesianPlan::kMaxFirstSegments + kMoreOfFirst <= kPointsOfFirst);
+static_assert(kMaxFirstPoints * CartesianPlan::kMaxFirstSegments + kMoreOfFirst <= kPointsOfFirst);
 static_assert(kPointsOfFirst <= SpeedLaw::kMaxPoints);
 constexpr int kLineIntervals = 1, kBentIntervals = 16, kJointIntervals = 8;
 constexpr int kToolIntervals = 3;           // for the tool alone, for each one for the joints
@@ -100,7 +100,7 @@ std::size_t LawGrid::first_points(const CartesianPlan& plan, std::size_t first) 
   const int least = plan.continues ? kWindowIntervals : kJointIntervals;
   std::size_t points = 0;
   for (std::size_t i = first; i < plan.count; ++i) {
-    points += (plan.continues ? kWindowPoints : kMostFirstPoints) +
+    points += (plan.continues ? kWindowPoints : kMaxFirstPoints) +
               2 * static_cast<std::size_t>(joint_intervals(plan, i) - least);
   }
   return points;

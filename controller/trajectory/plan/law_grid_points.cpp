@@ -17,7 +17,7 @@ constexpr double kRounding_rad = 1e-14;   // of a second difference
 // A jerk of a joint makes a point slower than its other limits by no more than this, in squares of speeds: beside a
 // singularity differences over a whole interval say too little.
 constexpr double kSlowest = 100.0;
-constexpr int kMostDeltas = 12;
+constexpr int kMaxDeltas = 12;
 
 }  // namespace
 
@@ -51,7 +51,7 @@ LawGrid::Point LawGrid::point_at(const CartesianPlan& plan, double s, const Join
   const double longest = std::max(piece_.to - piece_.from, 1e-3 * run_length_) / 16.0;
   const double shortest = 1e-13 * std::max(1.0, std::fabs(s));
   double delta = std::min(kTickSeconds * std::sqrt(point.square), longest);
-  for (int i = 0; i < kMostDeltas; ++i) {
+  for (int i = 0; i < kMaxDeltas; ++i) {
     delta = std::max(delta, shortest);
     differentiate(plan, point, delta);
     point.limits = tool;

@@ -87,13 +87,13 @@ void SmoothLaw::plan(SpeedLaw& law) noexcept {
     run = run_of(law, i, run);
     if (runs_[run].smooth && law.limits(i).jerk.by_change > 0.0) limit_jerk(law.limits(i), runs_[run].tau_s);
   }
-  law.begin(stage_ == Stage::kSearch ? kRoundsToTry : SpeedLaw::kMostRounds);
+  law.begin(stage_ == Stage::kSearch ? kRoundsToTry : SpeedLaw::kMaxRounds);
 }
 
 void SmoothLaw::plan_again(SpeedLaw& law) noexcept {
   stage_ = Stage::kShape;
   rounds_ = 0;
-  law.begin(extended_ ? kRoundsToTry + 1 : SpeedLaw::kMostRounds);
+  law.begin(extended_ ? kRoundsToTry + 1 : SpeedLaw::kMaxRounds);
 }
 
 SmoothLaw::Progress SmoothLaw::work(SpeedLaw& law, std::size_t intervals) noexcept {
@@ -159,7 +159,7 @@ void SmoothLaw::try_next(SpeedLaw& law) noexcept {
 
 // False: no plateau is needed any more.
 bool SmoothLaw::shape(SpeedLaw& law) noexcept {
-  if (++rounds_ > (extended_ ? kMostWindowRounds : kMostRounds)) return false;
+  if (++rounds_ > (extended_ ? kMaxWindowRounds : kMaxRounds)) return false;
   bool changes = false;
   if (extended_) note_runs();
   each_run(table_, [&](std::size_t index, const TableRun& motion) {
@@ -219,7 +219,7 @@ void SmoothLaw::extend(SpeedLaw& law) noexcept {
 
 void SmoothLaw::write(TimeTable& table) const noexcept {
   if (extended_) return continue_average(table_, tau_, table);
-  std::array<Ticks, kMostRuns> tau{};
+  std::array<Ticks, kMaxRuns> tau{};
   for (std::size_t i = 0; i < count_; ++i) tau[i] = runs_[i].smooth ? whole_ticks(runs_[i].tau_s) : Ticks{};
   moving_average(table_, std::span{tau}.first(count_), table);
 }

@@ -57,9 +57,9 @@ class SmoothLaw {
   [[nodiscard]] double tau_s(double s) const noexcept;
 
  private:
-  static constexpr std::size_t kMostRuns = CartesianPlan::kMaxSegments;
+  static constexpr std::size_t kMaxRuns = CartesianPlan::kMaxSegments;
   // Of plateaus; a window has less time for them. What is too sharp then becomes slower by the check of the set-points.
-  static constexpr int kMostRounds = 12, kMostWindowRounds = 4;
+  static constexpr int kMaxRounds = 12, kMaxWindowRounds = 4;
 
   // A motion between two stops.
   struct Run {
@@ -79,7 +79,7 @@ class SmoothLaw {
   [[nodiscard]] bool shape(SpeedLaw& law) noexcept;
 
   Stage stage_ = Stage::kDone;
-  std::array<Run, kMostRuns> runs_{};
+  std::array<Run, kMaxRuns> runs_{};
   std::size_t count_ = 0;
   int tried_ = 0, rounds_ = 0;
   int in_vain_ = 0;  // tries since the last better one

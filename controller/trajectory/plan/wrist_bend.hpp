@@ -32,8 +32,8 @@ struct BendEnd {
 
 // The bends of a plan, in the order of the path. They do not overlap.
 struct WristBends {
-  static constexpr std::size_t kMost = 8;
-  std::array<WristBend, kMost> bends{};
+  static constexpr std::size_t kMax = 8;
+  std::array<WristBend, kMax> bends{};
   std::size_t count = 0;
 
   // The bend at a parameter; null: none.

@@ -28,9 +28,9 @@ constexpr double kLater = 1.1, kLaterTicks = 4.0;
 // Less than this share of the limit is no jerk of the plan, but the rounding error of a third difference.
 constexpr double kLeastPlanJerk = 0.02;
 // How much more than the w of the slowest joint may be needed later to keep the rate in 0..1: the plan may help.
-constexpr double kMostNeeded = 1.15;
+constexpr double kMaxNeeded = 1.15;
 // The largest w, for the first and last ticks of a plan, where the joints hardly move.
-constexpr double kMostChange = 0.04;
+constexpr double kMaxChange = 0.04;
 // In a bend the acceleration for the change stays below the limit by this share of that across the motion: near the
 // limit a growing one would need a sudden change of u.
 constexpr double kBendReserve = 0.3;
@@ -49,7 +49,7 @@ RateChange::RateChange(double rate, double rate_step, double wanted, RateJerk je
       most_step_{left_},
       slowest_{kInfinite},
       kind_{jerk} {
-  ends_[count_++] = {.quickest = kMostChange};
+  ends_[count_++] = {.quickest = kMaxChange};
 }
 
 void RateChange::Range::cut(double from, double to) noexcept {
@@ -145,7 +145,7 @@ void RateChange::limit_step(double jerk_left, double accel) noexcept {
 
 void RateChange::end(double speed, double accel, double jerk) noexcept {
   if (speed == 0.0) return;
-  ends_[count_] = {.quickest = std::min(jerk / std::fabs(speed), kMostChange), .growth = accel / speed};
+  ends_[count_] = {.quickest = std::min(jerk / std::fabs(speed), kMaxChange), .growth = accel / speed};
   slowest_ = std::min(slowest_, ends_[count_].quickest);
   ++count_;
 }
@@ -177,7 +177,7 @@ double RateChange::needed_to_stop(double rate, double step) noexcept {
 
 double RateChange::enough_to_stop(double change) const noexcept {
   const double next = step_ + change, needed = needed_to_stop(rate_, step_);
-  if (needed_to_stop(rate_ + next, next) <= std::max(needed, kMostNeeded * slowest_)) return change;
+  if (needed_to_stop(rate_ + next, next) <= std::max(needed, kMaxNeeded * slowest_)) return change;
   return step_ > 0.0 ? -needed : needed;
 }
 
@@ -201,7 +201,7 @@ double RateChange::rate(double plan_jerk) noexcept {
   // Where two motions contradict each other, u goes to 0.
   const double to_zero = std::clamp(-step_, -slowest_, slowest_);
   const double change = accel_.nearest(jerk_.nearest(jerk_.empty() ? to_zero : step - step_));
-  const double allowed = enough_to_stop(std::clamp(change, -kMostChange, kMostChange));
+  const double allowed = enough_to_stop(std::clamp(change, -kMaxChange, kMaxChange));
   if (step_ + allowed == step && std::fabs(step) == left_) return wanted_;
   return std::clamp(rate_ + step_ + allowed, 0.0, 1.0);
 }

@@ -107,7 +107,7 @@ class RateChange {
   [[nodiscard]] double enough_to_stop(double change) const noexcept;
   [[nodiscard]] double step_to_end(const End& end, double wanted, double share) const noexcept;
 
-  static constexpr std::size_t kMostMotions = kAxes + 2 + 1;
+  static constexpr std::size_t kMaxMotions = kAxes + 2 + 1;
 
   double rate_, step_, wanted_, kept_;
   double left_;  // of the change, >= 0
@@ -115,7 +115,7 @@ class RateChange {
   Range jerk_, accel_;
   double most_step_;
   double slowest_;
-  std::array<End, kMostMotions> ends_{};
+  std::array<End, kMaxMotions> ends_{};
   std::size_t count_ = 0;
   std::array<Turn, kAxes> turns_{};
   std::size_t turn_count_ = 0;

@@ -10,7 +10,7 @@ namespace {
 // The end of a motion may differ from the wanted one by rounding: in parts of the positions and the way.
 constexpr double kNoMiss = 1e-15, kRoundingMiss = 1e-13;
 // Regula falsi with bisections in between.
-constexpr int kMostChanges = 80;
+constexpr int kMaxChanges = 80;
 constexpr int kBisectEvery = 4;
 
 // In reversed time, the velocity has the opposite sign, and so has the jerk.
@@ -66,7 +66,7 @@ bool AxisPassage::solve(Changes inside, TimeFor time_for, Changes& solution) con
   const double no_miss = kNoMiss * way_size(inside.duration_s);
   double inside_weight = inside_excess, outside_weight = outside_excess;
   bool was_beyond = false;
-  for (int i = 1; i <= kMostChanges && std::fabs(inside_excess) > no_miss; ++i) {
+  for (int i = 1; i <= kMaxChanges && std::fabs(inside_excess) > no_miss; ++i) {
     double velocity = 0.5 * (inside.velocity + outside.velocity);
     if (time_for(outside) >= 0.0 && i % kBisectEvery != 0) {
       const double secant =

@@ -74,8 +74,8 @@ double distance_up_to_limit(double c, double speed) {
 // when a step does not decrease x. The starts are within a small factor of the root.
 template <class Step>
 double newton_from_above(double x, Step step) {
-  constexpr int kMostSteps = 24;
-  for (int i = 0; i < kMostSteps; ++i) {
+  constexpr int kMaxSteps = 24;
+  for (int i = 0; i < kMaxSteps; ++i) {
     const double next = x - step(x);
     if (!(next < x)) break;
     x = next;

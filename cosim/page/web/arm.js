@@ -1,11 +1,11 @@
 // The arm in three dimensions: links at the encoder positions, and the paths of the tool. Drawn by three.js.
 
 const kMmPerUnit = 1000;
-const kMostPathPoints = 20000;
+const kMaxPathPoints = 20000;
 
 // The tool path of one side as points for a line, with the row of each point.
 function toolPath(run, side) {
-  const step = Math.max(1, Math.ceil(run.time.length / kMostPathPoints));
+  const step = Math.max(1, Math.ceil(run.time.length / kMaxPathPoints));
   const points = [];
   for (let row = 0; row < run.time.length; row += step) {
     points.push(new THREE.Vector3(...run.kinematics.toolPoint(run.jointsAt(side, row))).divideScalar(kMmPerUnit));

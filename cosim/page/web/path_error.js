@@ -84,11 +84,11 @@ function pathErrors(run) {
 
 // What the curves of the errors do not show, and why. Null if they show all.
 function pathErrorNote({ unmeasured, waits }) {
-  const kMostNames = 8;
+  const kMaxNames = 8;
   const sentences = [];
   if (unmeasured.length > 0) {
-    const names = unmeasured.slice(0, kMostNames).map((move) => move.command).join(', ');
-    const more = unmeasured.length > kMostNames ? ` and ${unmeasured.length - kMostNames} more` : '';
+    const names = unmeasured.slice(0, kMaxNames).map((move) => move.command).join(', ');
+    const more = unmeasured.length > kMaxNames ? ` and ${unmeasured.length - kMaxNames} more` : '';
     sentences.push(`Not measured, because the path moves with the conveyor: ${names}${more}.`);
   }
   if (waits) sentences.push('After a move without a path, encoders are measured when the drives have settled.');

@@ -140,13 +140,13 @@ class SearchedShape {
   // The distance of a point from the curve between the neighbours of its nearest sample. Newton's method finds the
   // place where the curve is at a right angle to the point; it halves the range instead of leaving it.
   refined(sample, point) {
-    const kMostSteps = 40;
+    const kMaxSteps = 40;
     const { place, range } = this;
     const step = range / this.samples;
     let u = sample * range;
     let [low, high] = [Math.max(u - step, 0), Math.min(u + step, this.end)];
     let least = Infinity;
-    for (let i = 0; i < kMostSteps; i += 1) {
+    for (let i = 0; i < kMaxSteps; i += 1) {
       this.at(u, place);
       let [square, slope, speed, bend] = [0, 0, 0, 0];
       for (let k = 0; k < 3; k += 1) {

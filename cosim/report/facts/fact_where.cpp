@@ -24,9 +24,9 @@ void add(std::string& text, const std::string& more) {
 }
 
 void add_first(std::string& text, const std::vector<std::string>& all) {
-  constexpr std::size_t kMost = 5;
-  for (const std::string& one : std::span{all}.first(std::min(kMost, all.size()))) add(text, one);
-  if (all.size() > kMost) add(text, fmt::format("and {} more", all.size() - kMost));
+  constexpr std::size_t kMax = 5;
+  for (const std::string& one : std::span{all}.first(std::min(kMax, all.size()))) add(text, one);
+  if (all.size() > kMax) add(text, fmt::format("and {} more", all.size() - kMax));
 }
 
 }  // namespace

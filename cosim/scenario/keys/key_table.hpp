@@ -141,7 +141,7 @@ template <class Spec, class Member, class Inner>
                        auto& list = key_detail::emplaced(spec.*member);  // also when the array is empty
                        parent.tables(
                            name, [&](TableReader& reader) { keys.read(reader, context, list.emplace_back()); },
-                           most == 0 ? kMostTables : most);
+                           most == 0 ? kMaxTables : most);
                      }};
   sub.info.repeated = true;
   sub.info.most = most;

@@ -31,7 +31,7 @@ struct PathSpec {
 };
 
 inline constexpr double kMaxBlendMm = 10'000;
-inline constexpr double kMaxToleranceDeg = 30;  // less than CartesianMove::kMostTolerance_rad
+inline constexpr double kMaxToleranceDeg = 30;  // less than CartesianMove::kMaxTolerance_rad
 
 [[nodiscard]] inline Key<PathSpec> jerk_key(std::string_view name, double PathSpec::*member, std::string_view unit,
                                             std::string_view text) {

@@ -84,7 +84,7 @@ struct ArcAboutSpec {
 template <>
 [[nodiscard]] inline const MoveEntry<ArcAboutSpec>& move_entry<ArcAboutSpec>() {
   constexpr std::string_view kPlace = "center_mm";
-  constexpr double kMaxTurnsDeg = 360 * kMostRevolutions;
+  constexpr double kMaxTurnsDeg = 360 * kMaxRevolutions;
   constexpr auto kCheckAxis = [](ArcAboutSpec& move, const KeyContext&) -> std::string {
     return move.axis == std::array<double, 3>{} ? "expected a direction, found 0, 0, 0" : "";
   };

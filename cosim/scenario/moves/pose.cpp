@@ -85,7 +85,7 @@ std::vector<Key<PoseTarget>> configuration_keys() {
                 "Side of the wrist: with joint 4 in its zero position, `noflip` bends the hand down, `flip` up.")
           .only(beside("xyz_mm"))
           .checked(kCheckWrist),
-      key("turns", &PoseTarget::turns, between(-kMostTurns, kMostTurns),
+      key("turns", &PoseTarget::turns, between(-kMaxTurns, kMaxTurns),
           "Number of turns of each joint: n for an angle between 360 n - 180 and 360 n + 180 degrees.")
           .without("nearest")
           .only(beside("xyz_mm")),

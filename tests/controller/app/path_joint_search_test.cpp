@@ -38,8 +38,8 @@ TEST(PathJointCornerSearch, TheSearchOfCornersIsChargedInShortSteps) {
     if (work == Work::kInverse) inverses = times;
     if (work == Work::kPlan) inverses = 0;
     if (work != Work::kRetarget) return;
-    EXPECT_LE(inverses, kMostOfStep.inverses);
-    EXPECT_LE(times, kMostOfStep.retargets);
+    EXPECT_LE(inverses, kMaxOfStep.inverses);
+    EXPECT_LE(times, kMaxOfStep.retargets);
     corners_ms += charged_ms(Work::kInverse, inverses) + charged_ms(work, times);
     ++steps;
     passages += times > 1 ? 1 : 0;
@@ -58,7 +58,7 @@ TEST(PathJointCornerSearch, TheSearchOfCornersIsChargedInShortSteps) {
 
 // Wherever they come while corners are searched, they do not wait longer than for a step.
 TEST(PathJointCornerSearch, StopsAndNewTargetsAreAcceptedWithinAStep) {
-  const double most_ms = charged_ms(Work::kInverse, kMostOfStep.inverses);
+  const double most_ms = charged_ms(Work::kInverse, kMaxOfStep.inverses);
   std::int64_t charges = 0;
   double longest_ms = 0.0;
   for (std::int64_t at = 0; at <= charges; at += 3) {

@@ -170,7 +170,7 @@ constexpr std::int64_t kAfterSoft = 8;  // ticks
 constexpr std::int64_t kRest = 6'000;
 // A joint that begins to brake where its acceleration is along its velocity needs some ticks more. On a path the joints
 // wait for the slowest one.
-constexpr double kMostOfFastest = 1.6, kMoreTicks = 8.0;
+constexpr double kMaxOfFastest = 1.6, kMoreTicks = 8.0;
 
 struct QuickStop : testing::TestWithParam<std::size_t> {
   // Ticks to rest after `later`, as a share of those that the joints need.
@@ -190,12 +190,12 @@ struct QuickStop : testing::TestWithParam<std::size_t> {
 TEST_P(QuickStop, BrakesWithFullAccelerationAlsoBehindASoftStopOrAHold) {
   const StopCase tested = stop_cases()[GetParam()];
   const Stop quick{}, soft{.kind = Stop::Kind::kSoft};
-  EXPECT_LE(stops(tested, {}, {quick}), kMostOfFastest);
-  EXPECT_LE(stops(tested, {soft}, {quick}), kMostOfFastest);
-  EXPECT_LE(stops(tested, {Hold{}}, {quick}), kMostOfFastest);
-  EXPECT_LE(stops(tested, {Hold{}, soft}, {quick}), kMostOfFastest);
+  EXPECT_LE(stops(tested, {}, {quick}), kMaxOfFastest);
+  EXPECT_LE(stops(tested, {soft}, {quick}), kMaxOfFastest);
+  EXPECT_LE(stops(tested, {Hold{}}, {quick}), kMaxOfFastest);
+  EXPECT_LE(stops(tested, {Hold{}, soft}, {quick}), kMaxOfFastest);
   if (!tested.soft_is_gentle) return;
-  EXPECT_GT(stops(tested, {soft}, {}), 2.0 * kMostOfFastest) << "a soft stop is hardly softer";
+  EXPECT_GT(stops(tested, {soft}, {}), 2.0 * kMaxOfFastest) << "a soft stop is hardly softer";
 }
 
 TEST_P(QuickStop, IsNotSoftenedByALaterOne) {
@@ -206,7 +206,7 @@ TEST_P(QuickStop, IsNotSoftenedByALaterOne) {
   arm.rig->submit_at(arm.stop_at + 3, Hold{});
   arm.rig->run(arm.stop_at + kRest);
   const double fastest = fastest_stop(*arm.rig, arm.stop_at);
-  EXPECT_LE(static_cast<double>(ticks_to_rest(*arm.rig, arm.stop_at)), kMostOfFastest * fastest + kMoreTicks);
+  EXPECT_LE(static_cast<double>(ticks_to_rest(*arm.rig, arm.stop_at)), kMaxOfFastest * fastest + kMoreTicks);
 }
 
 INSTANTIATE_TEST_SUITE_P(Sources, QuickStop, testing::Range<std::size_t>(0, stop_cases().size()),

@@ -58,7 +58,7 @@ Curve random_curve(test::Random& random) {
   return curve;
 }
 
-constexpr std::int64_t kMostTicks = 400'000;
+constexpr std::int64_t kMaxTicks = 400'000;
 constexpr std::int64_t kSlow = 1'500;  // cycles for an inverse kinematics: ten times the default
 
 struct SmoothCurves : testing::Test {
@@ -79,7 +79,7 @@ struct SmoothCurves : testing::Test {
     return std::make_unique<test::TwoCores>(robot, config, joints_at(curve.at(0)));
   }
   static void expect_no_stop(test::TwoCores& cores, const Curve& curve) {
-    EXPECT_TRUE(cores.run(kMostTicks));
+    EXPECT_TRUE(cores.run(kMaxTicks));
     EXPECT_TRUE(cores.refused.empty());
     ASSERT_EQ(cores.finished.size(), curve.count);
     for (std::size_t i = 1; i < cores.started.size(); ++i) {
@@ -162,7 +162,7 @@ std::size_t rests_between(const std::vector<JointAngles>& joints) {
 TEST_F(SmoothCurves, OfAMuchTooSlowCoreStopAndEveryStopIsReported) {
   const auto cores = cores_with_moves({});
   cores->cost.inverse_compute_cycles = kSlow;
-  ASSERT_TRUE(cores->run(kMostTicks));
+  ASSERT_TRUE(cores->run(kMaxTicks));
   ASSERT_TRUE(cores->refused.empty());
   std::size_t stops = 0;
   for (std::size_t i = 1; i < cores->started.size(); ++i) {
@@ -223,7 +223,7 @@ TEST_F(SmoothCurves, EveryStopInARandomPolygonIsReported) {
     for (const CartesianMove& line : lines) cores->commands.emplace_back(line);
     cores->cost.inverse_compute_cycles = inverse_cycles;
     cores->is_over = [&] { return cores->finished.size() + cores->refused.size() == lines.size(); };
-    ASSERT_TRUE(cores->run(kMostTicks));
+    ASSERT_TRUE(cores->run(kMaxTicks));
     EXPECT_TRUE(cores->refused.empty());
     for (std::size_t k = 1; k < cores->started.size(); ++k) {
       EXPECT_EQ(cores->started[k].unasked_stop, !cores->started[k].continues) << "before line " << k + 1;
@@ -241,7 +241,7 @@ TEST_F(SmoothCurves, OfATooSlowCoreStopUnaskedOnlyIfTheirRestCameBeforeTheArmBra
     const auto cores = cores_with_moves({.count = 2 * kFirst});
     cores->cost.inverse_compute_cycles = kSlow;
     cores->may_send = [&](std::size_t i) { return i < kFirst || cores->finished.size() >= finished; };
-    EXPECT_TRUE(cores->run(kMostTicks));
+    EXPECT_TRUE(cores->run(kMaxTicks));
     EXPECT_EQ(cores->started.size(), 2 * kFirst);
     return cores->started.at(kFirst);
   };

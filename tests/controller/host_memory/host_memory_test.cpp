@@ -194,7 +194,7 @@ TEST(HostMemory, ABadFlagEnumeratorOrCountIsNoCommandAndNoEvent) {
   EXPECT_FALSE(decode(bad));
 
   ProgramNoted note;
-  note.text_size = ProgramNoted::kMostText;
+  note.text_size = ProgramNoted::kMaxText;
   EXPECT_TRUE(decode(encode(Event{note})));
   ++note.text_size;
   EXPECT_FALSE(decode(encode(Event{note})));

@@ -13,7 +13,7 @@ namespace {
 
 TEST(MessagePages, HaveRoomForTheLongestTextOfAProgram) {
   EXPECT_EQ(kTextPages, 22U);
-  EXPECT_GE(kMaxMessageText, ProgramNoted::kMostText);
+  EXPECT_GE(kMaxMessageText, ProgramNoted::kMaxText);
 }
 
 TEST(MessagePages, TheHeaderHasItsBitsWhereTheProtocolSays) {

@@ -71,9 +71,9 @@ TEST_F(StoreTest, KeepsTheProgramWhenTheTransferIsDamaged) {
 }
 
 TEST_F(StoreTest, RefusesWhatDoesNotFit) {
-  constexpr auto kMost = static_cast<std::int32_t>(ProgramStore::kMaxCharacters);
-  expect(store->begin(Content::kGcode, kMost + 1), Status::kStoreFull, kMost);
-  EXPECT_EQ(store->begin(Content::kGcode, kMost).status, Status::kOk);
+  constexpr auto kMax = static_cast<std::int32_t>(ProgramStore::kMaxCharacters);
+  expect(store->begin(Content::kGcode, kMax + 1), Status::kStoreFull, kMax);
+  EXPECT_EQ(store->begin(Content::kGcode, kMax).status, Status::kOk);
   std::string lines;
   for (std::size_t i = 0; i < job::kMaxRecords; ++i) lines += "NOP\n";
   // The header has 5 lines, and one NOP comes before.

@@ -30,7 +30,7 @@ constexpr PathLimits kPen{.speed_mm_s = 250.0,
                           .turn_jerk_rad_s3 = 2'000.0};
 
 // With limited jerk a chain may take longer than its paths one by one, because each of these has its own tau.
-constexpr double kMostLoss = 1.05;
+constexpr double kMaxLoss = 1.05;
 
 bool any_rounded(const CartesianPlan& plan) {
   for (std::size_t i = 1; i < plan.count; ++i) {
@@ -115,7 +115,7 @@ TEST(BlendGain, AnyToleranceAndAnyAngleGainOrStop) {
           EXPECT_EQ(any_rounded(rig.planner.plan()), turn < std::numbers::pi) << turn << " " << blend_mm;
         } else {
           // A corner with a micrometre of room is passed as slowly as an exact stop.
-          EXPECT_LE(static_cast<double>(blended), kMostLoss * static_cast<double>(exact)) << turn << " " << blend_mm;
+          EXPECT_LE(static_cast<double>(blended), kMaxLoss * static_cast<double>(exact)) << turn << " " << blend_mm;
           const bool gains = blend_mm > 0.5 && turn > 0.0 && turn < 3.0;
           EXPECT_TRUE(blended < exact || !gains) << turn << " " << blend_mm;
         }

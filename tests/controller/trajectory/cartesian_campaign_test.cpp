@@ -30,7 +30,7 @@ using Progress = CartesianPlanner::Progress;
 
 constexpr std::uint64_t kCampaignSeed = 7'000;
 // Set-points that may be planned for one chain; longer ones are left out, to drive more short ones.
-constexpr std::size_t kMostSamples = 50'000;
+constexpr std::size_t kMaxSamples = 50'000;
 constexpr std::int64_t kLongest = 4'000;
 // Limits are kept to the plan's own margin where the rate does not change, otherwise to rounding.
 constexpr double kCampaignRounding = 2e-6;
@@ -59,7 +59,7 @@ class Campaign {
     const RandomChain chain = test::ChainMaker{random_, robot, laws, blended, begin}.make();
     PathRig rig{chain.robot, 20.0, chain.tool};
     rig.planner.begin(chain.start, chain.requests);
-    const Progress progress = rig.planner.work(kMostSamples);
+    const Progress progress = rig.planner.work(kMaxSamples);
     if (progress == Progress::kRefused) {
       ++tally.refused[static_cast<std::size_t>(rig.planner.problem().kind)];
       return;

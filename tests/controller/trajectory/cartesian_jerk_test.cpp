@@ -139,7 +139,7 @@ JerkPeaks jerk_peaks(const PathRig& rig, const SegmentRequest& request, const st
 class CartesianJerk : public testing::TestWithParam<RobotOf> {};
 
 TEST_P(CartesianJerk, StaysWithinItsLimitWhileTheRateChanges) {
-  constexpr double kMost = 1.05;
+  constexpr double kMax = 1.05;
   RobotModel robot = test::robot_of_file(GetParam().file);
   if (robot.arm.family == ArmFamily::kFiveR) robot.arm.max_projection_rad = 1.0;  // random turns leave the arm's plane
   Random random{kJerkSeed};
@@ -160,9 +160,9 @@ TEST_P(CartesianJerk, StaysWithinItsLimitWhileTheRateChanges) {
       const std::vector<JointAngles> joints = set_points(rig, wanted, begin, ticks);
       SCOPED_TRACE(testing::Message() << "to " << wanted << " at " << begin << " for " << ticks);
       const JerkPeaks peaks = jerk_peaks(rig, request, joints);
-      EXPECT_LE(peaks.tool, kMost);
-      EXPECT_LE(peaks.turn, kMost);
-      EXPECT_LE(peaks.joints, kMost);
+      EXPECT_LE(peaks.tool, kMax);
+      EXPECT_LE(peaks.turn, kMax);
+      EXPECT_LE(peaks.joints, kMax);
       most.tool = std::max(most.tool, peaks.tool);
       most.turn = std::max(most.turn, peaks.turn);
       most.joints = std::max(most.joints, peaks.joints);

@@ -20,7 +20,7 @@ namespace {
 constexpr long double kSetPointTick = 50e-6L;
 // Chains keep the law of rate_bend.hpp, with twice the limit. A joint that turns round in a move that begins in motion
 // may need as much.
-constexpr double kMostOfMove = 1.05, kMostOfChain = 2.02, kMostOfOthers = 1.0 + 2e-6;
+constexpr double kMaxOfMove = 1.05, kMaxOfChain = 2.02, kMaxOfOthers = 1.0 + 2e-6;
 
 // The largest speed, acceleration and jerk of any joint as shares of its limits, from differences of set-points.
 struct RateShares {
@@ -124,9 +124,9 @@ TEST(RateJerk, KeepsEveryLimitOfRandomJointMovesAtRandomRates) {
     EXPECT_EQ(joints.back(), target_of(plan));
     joints.insert(joints.end(), 3, joints.back());
     const RateShares here = rate_shares(robot, joints);
-    EXPECT_LE(here.speed, kMostOfOthers);
-    EXPECT_LE(here.accel, kMostOfOthers);
-    EXPECT_LE(here.jerk, plan.pieces[0].joints != nullptr ? kMostOfMove : kMostOfChain);
+    EXPECT_LE(here.speed, kMaxOfOthers);
+    EXPECT_LE(here.accel, kMaxOfOthers);
+    EXPECT_LE(here.jerk, plan.pieces[0].joints != nullptr ? kMaxOfMove : kMaxOfChain);
     most = {std::max(most.speed, here.speed), std::max(most.accel, here.accel), std::max(most.jerk, here.jerk)};
   }
   EXPECT_GT(standstills, 10'000);
@@ -157,10 +157,10 @@ TEST(RateJerk, MovesThatBeginInMotionSeldomNeedMoreThanTheirJerk) {
     EXPECT_EQ(joints.back(), target);
     joints.insert(joints.end(), 3, joints.back());
     const RateShares here = rate_shares(robot, joints);
-    EXPECT_LE(here.speed, kMostOfOthers);
-    EXPECT_LE(here.accel, kMostOfOthers);
-    EXPECT_LE(here.jerk, kMostOfChain);
-    above += here.jerk > kMostOfMove ? 1 : 0;
+    EXPECT_LE(here.speed, kMaxOfOthers);
+    EXPECT_LE(here.accel, kMaxOfOthers);
+    EXPECT_LE(here.jerk, kMaxOfChain);
+    above += here.jerk > kMaxOfMove ? 1 : 0;
   }
   EXPECT_LE(above, kDraws / 50);
 }
@@ -197,7 +197,7 @@ TEST(RateJerk, AHoldAndAResumeInTheCruiseTakeTheLeastTimeThatTheLimitsAllow) {
       EXPECT_GE(down * kTickSeconds, 0.97 * least_s);
       EXPECT_GT(braking.jerk, 0.97);
       EXPECT_LE(rate_shares(robot, joints).jerk, 1.01);
-      EXPECT_LE(rate_shares(robot, joints).accel, kMostOfOthers);
+      EXPECT_LE(rate_shares(robot, joints).accel, kMaxOfOthers);
     }
   }
 }

@@ -36,19 +36,19 @@ TEST(Sampler, CountsTheInversesOfAPassageOfTheWristSingularity) {
   const JointAngles start = degrees({0, 10, -20, 0, -20, 0});
   const Transform here = rig.tool_at(start), there = test::turned_by(here, 40.0 * test::kDeg, {0, 1, 0});
   std::vector<SegmentRequest> chain;
-  for (std::size_t i = 0; i <= WristBends::kMost; ++i) {
+  for (std::size_t i = 0; i <= WristBends::kMax; ++i) {
     chain.push_back(test::line_to(i % 2 == 0 ? there : here, test::kGentle, 0.0, ProfileKind::kSCurve));
   }
   ASSERT_EQ(rig.plan(start, chain), CartesianPlanner::Progress::kDone);
   const CartesianPlan& plan = rig.planner.plan();
-  ASSERT_EQ(plan.bends.count, WristBends::kMost);
+  ASSERT_EQ(plan.bends.count, WristBends::kMax);
   test::KeepingSampler sampler{rig.robot, rig.arm, start};
   sampler.start(plan, 1.0);
   int near_by = 0, through = 0;
   for (std::int64_t tick = 1; sampler.busy(); ++tick) {
     const double sine = std::fabs(rig.arm.wrist_sine(sampler.advance(1.0)));
     if (!sampler.busy()) break;  // the end is exact, not computed
-    const bool last = tick > plan.segments[WristBends::kMost].start.value();
+    const bool last = tick > plan.segments[WristBends::kMax].start.value();
     if (!last || sine > 1.1e-3) {
       ASSERT_EQ(sampler.inverses(), 1) << sine;
     }

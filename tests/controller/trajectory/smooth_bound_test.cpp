@@ -24,9 +24,9 @@ using test::moved;
 using test::PathRig;
 using Progress = CartesianPlanner::Progress;
 
-constexpr double kMostJerk = 1.05;
-constexpr double kMostOverTopp = 1.25;  // of the bound that knows no jerk
-constexpr double kMostOfJerk = 1.05;    // of one that does
+constexpr double kMaxJerk = 1.05;
+constexpr double kMaxOverTopp = 1.25;  // of the bound that knows no jerk
+constexpr double kMaxOfJerk = 1.05;    // of one that does
 
 double plan_s(PathRig& rig, const JointAngles& start, std::vector<SegmentRequest> chain) {
   for (SegmentRequest& request : chain) request.profile = ProfileKind::kSCurve;
@@ -38,10 +38,10 @@ double plan_s(PathRig& rig, const JointAngles& start, std::vector<SegmentRequest
   for (const double shift : {0.0, 0.37}) {
     const test::JointPeaks peaks = test::joint_peaks(rig.robot, rig.set_points(shift));
     EXPECT_LE(peaks.most(false), 1.0 + 1e-3);
-    EXPECT_LE(peaks.jerk, kMostJerk);
+    EXPECT_LE(peaks.jerk, kMaxJerk);
     const test::ToolJerks jerks = test::tool_jerks(rig.planner.plan(), chain.front().limits, shift);
-    EXPECT_LE(static_cast<double>(jerks.move), kMostJerk);
-    EXPECT_LE(static_cast<double>(jerks.turn), kMostJerk);
+    EXPECT_LE(static_cast<double>(jerks.move), kMaxJerk);
+    EXPECT_LE(static_cast<double>(jerks.turn), kMaxJerk);
   }
   EXPECT_LE(test::tool_peaks(rig.planner.plan(), chain.front().limits).most(), 1.001);
   return seconds(rig.planner.plan().duration);
@@ -59,7 +59,7 @@ TEST(SmoothBound, PathsOfTheCases) {
     const double taken_s = plan_s(rig, path.start, path.chain);
     const double share = taken_s / bound_s(rig, path.chain.front().limits, path.count);
     RecordProperty(path.name, std::to_string(share));
-    EXPECT_LE(share, kMostOverTopp);
+    EXPECT_LE(share, kMaxOverTopp);
   }
 }
 
@@ -78,7 +78,7 @@ TEST(SmoothBound, OneLineTakesHardlyLongerThanTheFastestSCurve) {
 TEST(SmoothBound, LineArcLine) {
   PathRig rig{test::irb120()};
   const double blended_s = plan_s(rig, kReady, test::line_arc_line(0.1));
-  EXPECT_LE(blended_s, kMostOverTopp * bound_s(rig, kFast, 20'000));
+  EXPECT_LE(blended_s, kMaxOverTopp * bound_s(rig, kFast, 20'000));
   const double tangent_s = plan_s(rig, kReady, test::line_arc_line(0.0));
   double exact_s = 0.0;
   JointAngles at = kReady;
@@ -86,7 +86,7 @@ TEST(SmoothBound, LineArcLine) {
     exact_s += plan_s(rig, at, {request});
     at = rig.planner.plan().target;
   }
-  EXPECT_LE(tangent_s, kMostOfJerk * exact_s);
+  EXPECT_LE(tangent_s, kMaxOfJerk * exact_s);
 }
 
 // Their corners need the limit of jerk at any speed.
@@ -95,7 +95,7 @@ TEST(SmoothBound, FourteenLinesOfAMillimetre) {
   const double taken_s = plan_s(rig, kReady, test::fourteen_lines());
   const double share = taken_s / test::bound_with_jerk_s(rig, kFast, 20'000);
   RecordProperty("over_the_bound", std::to_string(share));
-  EXPECT_LE(share, kMostOverTopp);
+  EXPECT_LE(share, kMaxOverTopp);
 }
 
 // Along the path its jerk is small, across it is v^3 / r^2.
@@ -111,7 +111,7 @@ TEST(SmoothBound, ASmallCircleKeepsTheWholeJerk) {
     const double speed = std::min(limits.speed_mm_s, std::cbrt(jerk_mm_s3 * 20.0 * 20.0));
     const SCurveProfile along =
         plan_scurve(40.0 * std::numbers::pi, {.speed = speed, .accel = limits.accel_mm_s2, .jerk = jerk_mm_s3});
-    EXPECT_LE(taken_s, kMostOverTopp * along.duration_s) << jerk_mm_s3;
+    EXPECT_LE(taken_s, kMaxOverTopp * along.duration_s) << jerk_mm_s3;
   }
 }
 

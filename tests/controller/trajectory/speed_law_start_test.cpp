@@ -8,13 +8,13 @@
 namespace armature {
 namespace {
 
-constexpr double kMostSquare = 9.0, kStartSquare = 4.0;  // with an acceleration of 1
+constexpr double kMaxSquare = 9.0, kStartSquare = 4.0;  // with an acceleration of 1
 
 // Begins with kStartSquare, in a path of length 10.
 std::unique_ptr<SpeedLaw> running_law() {
   LawLimits limits;
   limits.bands[0] = {.by_accel = 1.0};
-  limits.most_square = kMostSquare;
+  limits.most_square = kMaxSquare;
   auto law = std::make_unique<SpeedLaw>();
   for (int i = 0; i <= 100; ++i) {
     if (!law->append(0.1 * i, limits)) ADD_FAILURE();
@@ -53,12 +53,12 @@ TEST(SpeedLawStart, TakesBackHalfOfASlowDownUntilItStartsAsAsked) {
   }
   ASSERT_TRUE(law->starts_as_asked());
   EXPECT_LE(times, 3);
-  EXPECT_LT(square_at(*law, 0.6), 0.7 * kMostSquare);  // and no more than that
+  EXPECT_LT(square_at(*law, 0.6), 0.7 * kMaxSquare);  // and no more than that
 }
 
 TEST(SpeedLawStart, HasNothingToTakeBackFromTheLimitsThemselves) {
   const auto law = running_law();
-  law->start_with(kMostSquare + 1.0);
+  law->start_with(kMaxSquare + 1.0);
   law->plan();
   ASSERT_FALSE(law->starts_as_asked());
   EXPECT_FALSE(law->ease_start());

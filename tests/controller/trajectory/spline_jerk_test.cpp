@@ -27,8 +27,8 @@ using test::PathRig;
 using test::spline_to;
 using Progress = CartesianPlanner::Progress;
 
-constexpr double kMostJerk = 1.05;
-constexpr double kMostOverBound = 1.25;
+constexpr double kMaxJerk = 1.05;
+constexpr double kMaxOverBound = 1.25;
 const int kJerkSplines = test::draws(25);
 
 // Third differences of the tool by the forward kinematics of the set-points, as a share of the limit.
@@ -50,11 +50,11 @@ void expect_within_limits(const PathRig& rig, const PathLimits& limits) {
   for (const double shift : {0.0, 0.37}) {
     const test::JointPeaks joints = test::joint_peaks(rig.robot, rig.set_points(shift));
     EXPECT_LE(joints.most(false), 1.0 + 1e-3);
-    EXPECT_LE(joints.jerk, kMostJerk);
+    EXPECT_LE(joints.jerk, kMaxJerk);
     const test::ToolJerks tool = test::tool_jerks(rig.planner.plan(), limits, shift);
-    EXPECT_LE(static_cast<double>(tool.move), kMostJerk);
-    EXPECT_LE(static_cast<double>(tool.turn), kMostJerk);
-    EXPECT_LE(jerk_of_joints_tool(rig, limits.jerk_mm_s3, shift), kMostJerk + 1e-3);
+    EXPECT_LE(static_cast<double>(tool.move), kMaxJerk);
+    EXPECT_LE(static_cast<double>(tool.turn), kMaxJerk);
+    EXPECT_LE(jerk_of_joints_tool(rig, limits.jerk_mm_s3, shift), kMaxJerk + 1e-3);
   }
   EXPECT_LE(test::tool_peaks(rig.planner.plan(), limits).most(), 1.001);
 }
@@ -93,7 +93,7 @@ TEST(SplineJerk, RandomSplinesKeepTheWholeJerk) {
   }
   EXPECT_GE(planned, kJerkSplines - 2);
   RecordProperty("slowest", std::to_string(slowest));
-  EXPECT_LE(slowest, kMostOverBound);
+  EXPECT_LE(slowest, kMaxOverBound);
 }
 
 TEST(SplineJerk, ATangentChainOfLinesAndASplineKeepsTheWholeJerkWithoutAStop) {

@@ -78,12 +78,12 @@ TEST(Synchronise, TheDurationIsTheNextWholeTick) {
 }
 
 TEST(Synchronise, ADurationBeyondTicksSaturates) {
-  constexpr Ticks kMost{std::numeric_limits<std::int64_t>::max()};
+  constexpr Ticks kMax{std::numeric_limits<std::int64_t>::max()};
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   for (const double longest_s : {0x1p63 * kTickSeconds, 1e15, 1e300, kInfinity, std::nan("")}) {
-    EXPECT_EQ(whole_ticks(longest_s), kMost) << longest_s;
+    EXPECT_EQ(whole_ticks(longest_s), kMax) << longest_s;
   }
-  EXPECT_LT(whole_ticks(0x1p62 * kTickSeconds), kMost);
+  EXPECT_LT(whole_ticks(0x1p62 * kTickSeconds), kMax);
 }
 
 class SynchroniseProperties : public testing::TestWithParam<SyncRule> {};

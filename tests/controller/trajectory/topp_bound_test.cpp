@@ -23,7 +23,7 @@ using test::moved;
 using test::PathRig;
 using Progress = CartesianPlanner::Progress;
 
-constexpr double kMost = 1.05;
+constexpr double kMax = 1.05;
 
 // The share of the bound that the planned motion takes.
 double over_the_bound(PathRig& rig, const JointAngles& start, const std::vector<SegmentRequest>& chain,
@@ -46,7 +46,7 @@ double over_the_bound(PathRig& rig, const JointAngles& start, const std::vector<
 TEST(ToppBound, PathsOfTheCases) {
   for (const test::ToppCase& path : test::topp_cases()) {
     PathRig rig{path.robot};
-    EXPECT_LE(over_the_bound(rig, path.start, path.chain, path.count), kMost) << path.name;
+    EXPECT_LE(over_the_bound(rig, path.start, path.chain, path.count), kMax) << path.name;
   }
 }
 
@@ -62,12 +62,12 @@ TEST(ToppBound, TenCollinearLinesTakeAsLongAsOne) {
 
 TEST(ToppBound, LineArcLineWithCommonTangents) {
   PathRig rig{test::irb120()};
-  EXPECT_LE(over_the_bound(rig, kReady, test::line_arc_line(0.0)), kMost);
+  EXPECT_LE(over_the_bound(rig, kReady, test::line_arc_line(0.0)), kMax);
 }
 
 TEST(ToppBound, FourteenLinesOfAMillimetre) {
   PathRig rig{test::irb120()};
-  EXPECT_LE(over_the_bound(rig, kReady, test::fourteen_lines()), kMost);
+  EXPECT_LE(over_the_bound(rig, kReady, test::fourteen_lines()), kMax);
 }
 
 // A point that was taught a little beside the singularity: joint 4 has to turn by half a revolution.
@@ -84,7 +84,7 @@ TEST(ToppBound, LinesThatMissTheWristSingularity) {
     EXPECT_LE(test::joint_peaks(robot, rig.set_points()).most(false), 1.0);
     // The grid of the bound shows joint 4 only where it takes more than a few of its points.
     if (miss_mm > 0.4) {
-      EXPECT_LE(over_the_bound(rig, test::joints_at(rig, from), {line_to(to, kFast)}, 60'000), kMost);
+      EXPECT_LE(over_the_bound(rig, test::joints_at(rig, from), {line_to(to, kFast)}, 60'000), kMax);
     }
   }
 }

@@ -102,9 +102,9 @@ TEST(JointFile, SaysWhereTheHeaderDiffers) {
 
 TEST(JointFile, ReportsTheFirstProblemsAndCountsTheRest) {
   std::string text = kFive;
-  for (std::size_t i = 0; i < CsvProblems::kMostReported + 7; ++i) text += "1,2,3,4,bad\n";
+  for (std::size_t i = 0; i < CsvProblems::kMaxReported + 7; ++i) text += "1,2,3,4,bad\n";
   const std::vector<std::string> problems = joint_problems(text);
-  ASSERT_EQ(problems.size(), CsvProblems::kMostReported + 1);
+  ASSERT_EQ(problems.size(), CsvProblems::kMaxReported + 1);
   EXPECT_THAT(problems.front(), HasSubstr("a.csv:2:9: j5_deg"));
   EXPECT_EQ(problems.back(), "a.csv: and 7 more problems");
 }

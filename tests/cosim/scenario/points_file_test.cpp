@@ -63,7 +63,7 @@ TEST_F(PointsFile, RefusesAWrongHeaderNoPointAndATooLargeNumber) {
 
 TEST_F(PointsFile, RefusesTooManyPoints) {
   std::string text = "x_mm,y_mm,z_mm\n";
-  for (std::size_t i = 0; i < kMostPoints + 5; ++i) text += std::to_string(i % 1000) + ",0,0\n";
+  for (std::size_t i = 0; i < kMaxPoints + 5; ++i) text += std::to_string(i % 1000) + ",0,0\n";
   write(text);
   EXPECT_NE(problems().find("more than 100000 points"), std::string::npos);
 }

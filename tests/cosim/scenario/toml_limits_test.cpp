@@ -50,9 +50,9 @@ TEST(TomlLimits, RefuseALargeFileUnread) {
   const auto file = folder.write("s/scenario.toml", "");
   std::filesystem::resize_file(file, std::uintmax_t{1} << 30U);  // without blocks on disk
   EXPECT_THAT(error_of(file), HasSubstr("NUL byte"));
-  const auto text = folder.write("t/scenario.toml", std::string(kMostTomlBytes + 1, '\n'));
+  const auto text = folder.write("t/scenario.toml", std::string(kMaxTomlBytes + 1, '\n'));
   EXPECT_THAT(error_of(text), EndsWith("scenario.toml: is too large, expected at most 16 MiB"));
-  EXPECT_EQ(parse_error(std::string(kMostTomlBytes, '\n')), "");
+  EXPECT_EQ(parse_error(std::string(kMaxTomlBytes, '\n')), "");
 }
 
 TEST(TomlLimits, NameTheFirstTableThatIsTooMany) {

@@ -46,7 +46,7 @@ TEST(Printable, ChangesNothingWhenItIsAppliedTwice) {
 }
 
 TEST(Printable, CutsAndTellsIt) {
-  const std::string longest(kMostShown, 'x');
+  const std::string longest(kMaxShown, 'x');
   EXPECT_EQ(printable(longest), longest);
   EXPECT_EQ(printable(longest + "x"), longest + "[...]");
   EXPECT_EQ(printable("\u00e4\u00f6\u00fc", 2), "\u00e4\u00f6[...]") << "characters, not bytes";
@@ -75,7 +75,7 @@ TEST(ProblemList, KeepsTheFirstAndCountsTheOthers) {
   EXPECT_EQ(list.size(), 250u);
   std::vector<Problem> all;
   list.move_to(all);
-  ASSERT_EQ(all.size(), ProblemList::kMostKept + 1);
+  ASSERT_EQ(all.size(), ProblemList::kMaxKept + 1);
   EXPECT_EQ(all.front().text(), "f:1:1: k: m");
   EXPECT_EQ(all.back().text(), "f: and 150 more problems");
 }
