@@ -20,7 +20,7 @@ class BeltMotion {
   [[nodiscard]] double displacement_mm(std::size_t part, double t_s) const;
 
  private:
-  // Constant acceleration from its begin to that of the next one.
+  // Constant acceleration from its start to that of the next one.
   struct Section {
     double from_s = 0;
     double position_mm = 0;

@@ -51,7 +51,12 @@ void Plateaus::find(const TimeTable& table, const TableRun& motion, double tau_s
       if (!sharp && faster < kHardlyFaster * table[best].speed) return;
       const double before = accel(best - 1), after = accel(best);
       const bool turns = change < 0.0 ? before >= 0.0 && after <= 0.0 : before <= 0.0 && after >= 0.0;
-      if (turns) change < 0.0 ? cut(run, best) : fill(run, best);
+      if (!turns) return;
+      if (change < 0.0) {
+        cut(run, best);
+      } else {
+        fill(run, best);
+      }
     };
     const auto executed = [&](double until_s) { return joint != nullptr && until_s <= joint->t_s; };
     if (!executed(t_s)) sharpest(begin, i, change_before);

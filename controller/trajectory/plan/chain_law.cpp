@@ -84,7 +84,11 @@ std::size_t ChainLaw::room(const CartesianPlan& plan, double earliest_s) const n
 
 void ChainLaw::plan_again() noexcept {
   stage_ = smooth_ ? Stage::kSmooth : Stage::kLaw;
-  smooth_ ? smooth_law_.plan_again(law_) : law_.begin(rounds_);
+  if (smooth_) {
+    smooth_law_.plan_again(law_);
+  } else {
+    law_.begin(rounds_);
+  }
 }
 
 ChainLaw::Progress ChainLaw::step(CartesianPlan& plan) noexcept {
@@ -167,8 +171,10 @@ void ChainLaw::measure(const CartesianPlan& plan,
 void ChainLaw::finish(CartesianPlan& plan) noexcept {
   if (smooth_) {
     smooth_law_.write(plan.table);
+  } else if (plan.continues) {
+    plan.table.continue_with(law_);
   } else {
-    plan.continues ? plan.table.continue_with(law_) : plan.table.assign(law_);
+    plan.table.assign(law_);
   }
   plan.duration = plan.table.duration();
   for (std::size_t i = 0; i < plan.count; ++i) {

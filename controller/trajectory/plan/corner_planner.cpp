@@ -177,7 +177,8 @@ void ArrivalPlanner::check() noexcept {
 // The corner before may be missed by more than without this one.
 void ArrivalPlanner::check_begin() noexcept {
   if (exit_ && !exit_->approach(begin_)) return;
-  keeps_before(best_, begin_) ? end() : search_begin();
+  if (keeps_before(best_, begin_)) return end();
+  search_begin();
 }
 
 void ArrivalPlanner::end_search() noexcept {

@@ -126,7 +126,7 @@ class ArrivalPlanner {
   EarliestFit search_{0, 0};
   bool searches_begin_ = false;  // otherwise the end
   bool found_ = false;
-  int entries_ = 0;  // ends for which the begin was searched
+  int entries_ = 0;  // ends for which the start was searched
   // The present trial: begin and end of the move.
   std::int64_t trial_begin_ = 0, trial_end_ = 0;
   RetargetPlan trial_{};

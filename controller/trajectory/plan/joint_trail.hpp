@@ -1,4 +1,4 @@
-// The joints at some ticks of a plan, from which its set-points can be followed again without starting at the begin.
+// The joints at some ticks of a plan, from which its set-points can be followed again without the ticks before.
 #pragma once
 
 #include <array>

@@ -29,7 +29,7 @@ class PathPass {
   // On a bend the tool point may be off its path by this much: rounding.
   static constexpr double kPointTolerance_mm = 1e-8;
 
-  // Starts at the begin of `plan`, which takes at least one tick and must be the same for all step()s of a pass.
+  // Starts where `plan` starts, which takes at least one tick and must be the same for all step()s of a pass.
   void begin(const CartesianPlan& plan) noexcept;
   // Processes the next set-point with one inverse kinematics. More are computed at a passage of the wrist singularity
   // (FollowedTool::inverses), before a kink of a time law and at the first set-point (KinkCheck). Stores the

@@ -30,7 +30,7 @@ struct AxisState {
 // A part of a motion with constant jerk.
 struct Phase {
   double duration_s = 0.0;
-  double accel = 0.0;  // at its begin
+  double accel = 0.0;  // at its start
   double jerk = 0.0;
 };
 
@@ -88,7 +88,7 @@ class PhaseLaw {
   // The largest magnitude of the acceleration.
   [[nodiscard]] double peak_accel() const noexcept;
 
-  // The begin of each phase, in order.
+  // The start of each phase, in order.
   struct Knot {
     double start_s = 0.0;
     AxisState state{};

@@ -41,7 +41,7 @@ ERRORS = {
     "o1 foo\n": ("1:1:", "keyword"),
     "G0 X1\no1 if [1] G0 X5\no1 endif\nM2\n": ("2:11:", "nothing may follow"),
     "G0 X1\n(abort, no part)\nX2\n": ("2:", "stops itself"),
-    "G0 X1 M98 P1\n": ("1:7: M98:", "begin of its line"),
+    "G0 X1 M98 P1\n": ("1:7: M98:", "first in its line"),
     "o#1 if [1]\n": ("1:1:", "only CALL"),
     "M98 P1\nM2\nO1\nG0 X1\n": ("4:", "without M99"),
     "M62 P-1\n": ("1: P:", "out of range"),

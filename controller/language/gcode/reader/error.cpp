@@ -63,7 +63,7 @@ std::string_view text_of(ErrorCode code) noexcept {
     case ErrorCode::kUnsupportedCode:
       return "the code is not supported";
     case ErrorCode::kCodeNotFirst:
-      return "the code stands at the begin of its line, with nothing behind its words";
+      return "the code must stand first in its line, with nothing behind its words";
     case ErrorCode::kUnsupportedWord:
       return "words with this letter are not supported";
     case ErrorCode::kWordTwice:
