@@ -16,6 +16,7 @@ BAD = [
     ("space.md", "a\nb \n", "space.md:2: space at the end of the line"),
     ("end.md", "a", "end.md: no newline at the end"),
     ("empty.md", "a\n\n", "empty.md: empty line at the end"),
+    ("README.md", "text\n" * 41, "README.md: 41 lines of text, the limit is 40"),
     ("wide.sv", "// " + "x" * 118 + "\n", "wide.sv:1: 121 columns, the limit is 120"),
     ("broken.toml", "a = \n", "broken.toml: Invalid value"),
     ("twice.toml", "a = 1\na = 2\n", "twice.toml: Cannot overwrite a value"),
@@ -31,6 +32,7 @@ GOOD = {
     "good.toml": "a = 1\n",
     "good.sv": "// " + "x" * 117 + "\n",
     "tool": "#!/usr/bin/env bash\nif true; then :; fi\n",
+    "README.md": "text\n" * 40 + "| table |\n\n```\nexample\n```\n",
     "data.csv": "a,b \n\n",
 }
 
@@ -105,7 +107,7 @@ class StyleTest(unittest.TestCase):
         self.assertEqual(run(*commit, cwd=clone).returncode, 0)
         (clone / ".git" / "hooks" / "pre-commit").symlink_to("../../tools/pre-commit")
 
-        page = clone / "README.md"
+        page = clone / "scenarios" / "TUTORIAL.md"
         page.write_text(page.read_text() + "space \n")
         run("git", "add", page, cwd=clone)
         page.write_text(page.read_text().replace("space \n", ""))  # what counts is what is staged
