@@ -2,7 +2,7 @@
 #pragma once
 
 #include "controller/language/gcode/run/motion_setup.hpp"
-#include "controller/language/job/machine_setup.hpp"
+#include "controller/language/job/state/machine_setup.hpp"
 #include "controller/pendant/admission.hpp"
 
 namespace armature::pendant {

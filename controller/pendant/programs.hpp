@@ -8,7 +8,7 @@
 #include "controller/cell/robot_cell.hpp"
 #include "controller/hal/register_bus.hpp"
 #include "controller/language/gcode/run/motion_setup.hpp"
-#include "controller/language/job/machine_setup.hpp"
+#include "controller/language/job/state/machine_setup.hpp"
 #include "controller/language/program/program_client.hpp"
 #include "controller/pendant/answer.hpp"
 #include "controller/pendant/coordinates.hpp"

@@ -10,12 +10,12 @@
 #include <string_view>
 #include <vector>
 
-#include "controller/language/job/alarm_check.hpp"
-#include "controller/language/job/instruction.hpp"
-#include "controller/language/job/loader.hpp"
-#include "controller/language/job/printer.hpp"
-#include "controller/language/job/program_memory.hpp"
-#include "controller/language/job/words.hpp"
+#include "controller/language/job/execute/alarm_check.hpp"
+#include "controller/language/job/loader/loader.hpp"
+#include "controller/language/job/loader/printer.hpp"
+#include "controller/language/job/memory/instruction.hpp"
+#include "controller/language/job/memory/program_memory.hpp"
+#include "controller/language/job/memory/words.hpp"
 #include "cosim/cli/action_argument.hpp"
 #include "cosim/cli/command.hpp"
 #include "cosim/cli/kinematics_io.hpp"

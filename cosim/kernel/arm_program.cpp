@@ -3,9 +3,9 @@
 #include <span>
 
 #include "controller/language/gcode/run/program_runner.hpp"
-#include "controller/language/job/loader.hpp"
-#include "controller/language/job/machine.hpp"
-#include "controller/language/job/program_memory.hpp"
+#include "controller/language/job/execute/machine.hpp"
+#include "controller/language/job/loader/loader.hpp"
+#include "controller/language/job/memory/program_memory.hpp"
 #include "cosim/scenario/gcode_files.hpp"
 #include "cosim/scenario/program_name.hpp"
 #include "cosim/scenario/to_controller.hpp"

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "controller/language/job/machine.hpp"
+#include "controller/language/job/execute/machine.hpp"
 #include "cosim/scenario/program_name.hpp"
 #include "cosim/text/printable.hpp"
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "controller/language/job/loader.hpp"
-#include "controller/language/job/program_memory.hpp"
+#include "controller/language/job/loader/loader.hpp"
+#include "controller/language/job/memory/program_memory.hpp"
 #include "controller/language/text/diagnostics.hpp"
 #include "cosim/scenario/program_spec.hpp"
 #include "cosim/text/input_error.hpp"

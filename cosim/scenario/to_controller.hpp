@@ -10,7 +10,7 @@
 #include "controller/kinematics/arm.hpp"
 #include "controller/kinematics/transform.hpp"
 #include "controller/language/gcode/run/motion_setup.hpp"
-#include "controller/language/job/machine_setup.hpp"
+#include "controller/language/job/state/machine_setup.hpp"
 #include "controller/message/command.hpp"
 #include "controller/robot/robot_model.hpp"
 #include "cosim/scenario/scenario.hpp"

@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "controller/language/job/loader.hpp"
-#include "controller/language/job/printer.hpp"
+#include "controller/language/job/loader/loader.hpp"
+#include "controller/language/job/loader/printer.hpp"
 
 namespace {
 

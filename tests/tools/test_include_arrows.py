@@ -61,6 +61,13 @@ GCODE = {
     "flow": {"reader", "canon", "execute"},
     "run": {"reader", "canon", "execute", "flow"},
 }
+# From a file of the robot language to the arm.
+JOB = {
+    "memory": set(),
+    "loader": {"memory"},
+    "state": {"memory", "loader"},
+    "execute": {"memory", "loader", "state"},
+}
 # The same for the simulator. Bottom up, without a cycle.
 COSIM = {
     "time": set(),
@@ -132,6 +139,7 @@ NESTED = {
     "controller/trajectory": TRAJECTORY,
     "controller/language": LANGUAGE,
     "controller/language/gcode": GCODE,
+    "controller/language/job": JOB,
     "cosim/report": REPORT,
 }
 # What the plant, which sees pins and never registers, may include.

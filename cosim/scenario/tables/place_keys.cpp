@@ -2,7 +2,7 @@
 #include <string>
 #include <string_view>
 
-#include "controller/language/job/machine_setup.hpp"
+#include "controller/language/job/state/machine_setup.hpp"
 #include "cosim/scenario/tables/shared_keys.hpp"
 #include "cosim/scenario/tables/tables.hpp"
 #include "cosim/text/printable.hpp"

@@ -2,7 +2,7 @@
 #include <string>
 
 #include "controller/language/gcode/canon/offsets.hpp"
-#include "controller/language/job/machine_setup.hpp"
+#include "controller/language/job/state/machine_setup.hpp"
 #include "cosim/scenario/moves/path.hpp"
 #include "cosim/scenario/tables/shared_keys.hpp"
 #include "cosim/scenario/tables/tables.hpp"

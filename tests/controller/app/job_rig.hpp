@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "controller/language/job/machine.hpp"
+#include "controller/language/job/execute/machine.hpp"
 #include "tests/controller/language/job/job_text.hpp"
 #include "tests/controller/support/controller_rig.hpp"
 #include "tests/controller/support/path_rig.hpp"

@@ -1,4 +1,4 @@
-#include "controller/language/job/alarm_check.hpp"
+#include "controller/language/job/execute/alarm_check.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "controller/language/job/block_linker.hpp"
+#include "controller/language/job/loader/block_linker.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

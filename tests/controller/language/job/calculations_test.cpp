@@ -1,4 +1,4 @@
-#include "controller/language/job/calculations.hpp"
+#include "controller/language/job/execute/calculations.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

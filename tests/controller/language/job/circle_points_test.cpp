@@ -1,4 +1,4 @@
-#include "controller/language/job/circle_points.hpp"
+#include "controller/language/job/execute/circle_points.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "controller/language/job/expression.hpp"
+#include "controller/language/job/state/expression.hpp"
 
 #include <gtest/gtest.h>
 

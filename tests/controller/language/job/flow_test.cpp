@@ -1,4 +1,4 @@
-#include "controller/language/job/flow.hpp"
+#include "controller/language/job/execute/flow.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

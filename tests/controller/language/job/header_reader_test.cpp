@@ -1,4 +1,4 @@
-#include "controller/language/job/header_reader.hpp"
+#include "controller/language/job/loader/header_reader.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "controller/language/job/instruction.hpp"
+#include "controller/language/job/memory/instruction.hpp"
 
 #include <gtest/gtest.h>
 

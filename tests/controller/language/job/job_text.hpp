@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "controller/language/job/loader.hpp"
-#include "controller/language/job/printer.hpp"
-#include "controller/language/job/program_memory.hpp"
+#include "controller/language/job/loader/loader.hpp"
+#include "controller/language/job/loader/printer.hpp"
+#include "controller/language/job/memory/program_memory.hpp"
 
 namespace armature::test {
 

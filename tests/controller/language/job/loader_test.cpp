@@ -1,4 +1,4 @@
-#include "controller/language/job/loader.hpp"
+#include "controller/language/job/loader/loader.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

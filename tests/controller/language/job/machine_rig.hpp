@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "controller/language/job/machine.hpp"
+#include "controller/language/job/execute/machine.hpp"
 #include "controller/language/program/breakpoints.hpp"
 #include "tests/controller/language/job/job_text.hpp"
 #include "tests/controller/support/path_rig.hpp"

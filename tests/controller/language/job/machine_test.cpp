@@ -1,4 +1,4 @@
-#include "controller/language/job/machine.hpp"
+#include "controller/language/job/execute/machine.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
-#include "controller/language/job/motion.hpp"
+#include "controller/language/job/execute/motion.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "controller/language/job/rconf.hpp"
+#include "controller/language/job/state/rconf.hpp"
 #include "controller/robot/axis_units.hpp"
 #include "tests/controller/language/job/cartesian_rigs.hpp"
 

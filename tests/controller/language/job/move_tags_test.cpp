@@ -1,4 +1,4 @@
-#include "controller/language/job/move_tags.hpp"
+#include "controller/language/job/execute/move_tags.hpp"
 
 #include <gtest/gtest.h>
 

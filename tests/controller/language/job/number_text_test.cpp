@@ -1,4 +1,4 @@
-#include "controller/language/job/number_text.hpp"
+#include "controller/language/job/memory/number_text.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "controller/language/job/operand_grammar.hpp"
+#include "controller/language/job/loader/operand_grammar.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "controller/language/job/operand_reader.hpp"
+#include "controller/language/job/state/operand_reader.hpp"
 
 #include <gtest/gtest.h>
 

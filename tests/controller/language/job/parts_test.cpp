@@ -1,4 +1,4 @@
-#include "controller/language/job/parts.hpp"
+#include "controller/language/job/execute/parts.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

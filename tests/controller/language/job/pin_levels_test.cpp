@@ -1,4 +1,4 @@
-#include "controller/language/job/pin_levels.hpp"
+#include "controller/language/job/state/pin_levels.hpp"
 
 #include <gtest/gtest.h>
 

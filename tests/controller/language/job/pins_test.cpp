@@ -1,4 +1,4 @@
-#include "controller/language/job/pins.hpp"
+#include "controller/language/job/execute/pins.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "controller/language/job/planned_arm.hpp"
+#include "controller/language/job/execute/planned_arm.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <array>
 #include <optional>
 
-#include "controller/language/job/rconf.hpp"
+#include "controller/language/job/state/rconf.hpp"
 #include "tests/controller/language/job/cartesian_rigs.hpp"
 
 namespace armature::job {

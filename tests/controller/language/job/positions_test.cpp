@@ -1,8 +1,8 @@
-#include "controller/language/job/positions.hpp"
+#include "controller/language/job/execute/positions.hpp"
 
 #include <gtest/gtest.h>
 
-#include "controller/language/job/rconf.hpp"
+#include "controller/language/job/state/rconf.hpp"
 #include "controller/robot/axis_units.hpp"
 #include "tests/controller/language/job/cartesian_rigs.hpp"
 

@@ -1,4 +1,4 @@
-#include "controller/language/job/printer.hpp"
+#include "controller/language/job/loader/printer.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "controller/language/job/rconf.hpp"
+#include "controller/language/job/state/rconf.hpp"
 
 #include <gtest/gtest.h>
 

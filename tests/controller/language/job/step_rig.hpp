@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "controller/language/job/operand_reader.hpp"
+#include "controller/language/job/state/operand_reader.hpp"
 #include "tests/controller/language/job/machine_rig.hpp"
 
 namespace armature::test {

@@ -1,4 +1,4 @@
-#include "controller/language/job/step.hpp"
+#include "controller/language/job/state/step.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "controller/language/job/tools.hpp"
+#include "controller/language/job/state/tools.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
