@@ -23,7 +23,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "cosim/cli/scenario_run.hpp"
+#include "cosim/cli/run/scenario_run.hpp"
 #include "cosim/kernel/simulation.hpp"
 #include "cosim/report/measure/run_facts.hpp"
 #include "cosim/scenario/scenario_loader.hpp"

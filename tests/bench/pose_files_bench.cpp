@@ -16,9 +16,9 @@
 #include <string>
 #include <tuple>
 
-#include "cosim/cli/cli.hpp"
-#include "cosim/cli/command.hpp"
-#include "cosim/cli/kinematics_io.hpp"
+#include "cosim/cli/command/command.hpp"
+#include "cosim/cli/commands/cli.hpp"
+#include "cosim/cli/options/kinematics_io.hpp"
 #include "tests/controller/support/random.hpp"
 #include "tests/cosim/support/temp_folder.hpp"
 

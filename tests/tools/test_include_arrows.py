@@ -134,6 +134,13 @@ REPORT = {
     "judge": {"measure", "facts"},
     "format": {"measure", "facts", "judge"},
 }
+# The command line: what a command is, what its options have, what runs and keeps files, the commands.
+CLI = {
+    "command": set(),
+    "options": {"command"},
+    "run": {"command", "options"},
+    "commands": {"command", "options", "run"},
+}
 # Folders whose own folders have rules.
 NESTED = {
     "controller/trajectory": TRAJECTORY,
@@ -141,6 +148,7 @@ NESTED = {
     "controller/language/gcode": GCODE,
     "controller/language/job": JOB,
     "cosim/report": REPORT,
+    "cosim/cli": CLI,
 }
 # What the plant, which sees pins and never registers, may include.
 PLANT = {"controller/base/", "cosim/plant/", "cosim/fabric/fabric.hpp", "cosim/scenario/scenario.hpp"}
@@ -244,7 +252,7 @@ class IncludeArrows(unittest.TestCase):
             "cosim/report/judge/o.cpp": '#include "cosim/report/format/junit.hpp"',
             "cosim/report/measure/p.hpp": '#include "cosim/report/facts/fact.hpp"',
             "cosim/time/clock.hpp": '#include "cosim/kernel/script.hpp"',
-            "cosim/run/q.hpp": '#include "cosim/cli/scenario_run.hpp"',
+            "cosim/run/q.hpp": '#include "cosim/cli/run/scenario_run.hpp"',
             "cosim/kernel/r.cpp": '#include "cosim/run/run.hpp"',
             "cosim/serve/m.cpp": '#include "cosim/kernel/simulation.hpp"',
             "cosim/unknown/l.hpp": '#include "cosim/text/names.hpp"',

@@ -1,4 +1,4 @@
-#include "cosim/cli/pace.hpp"
+#include "cosim/cli/run/pace.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@ import subprocess
 
 from cli_program import ROOT, SCENARIOS, SHORT, TINY, Program, main
 
-SOURCES = {path.name.removesuffix("_command.cpp"): path for path in (ROOT / "cosim/cli").glob("*_command.cpp")}
+SOURCES = {path.name.removesuffix("_command.cpp"): path for path in (ROOT / "cosim/cli/commands").glob("*_command.cpp")}
 # Commands whose examples this test runs. serve waits for clients: test_cli_serve.py. watch waits for changes:
 # test_cli_watch.py.
 COMMANDS = sorted(SOURCES.keys() - {"serve", "watch"})

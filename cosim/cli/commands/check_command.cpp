@@ -1,0 +1,256 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <iostream>
+#include <iterator>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "cosim/cli/command/command.hpp"
+#include "cosim/cli/options/output_files.hpp"
+#include "cosim/cli/options/output_options.hpp"
+#include "cosim/cli/options/value_kinds.hpp"
+#include "cosim/cli/run/check_progress.hpp"
+#include "cosim/cli/run/failure_text.hpp"
+#include "cosim/cli/run/folder_run.hpp"
+#include "cosim/cli/run/interrupt.hpp"
+#include "cosim/cli/run/kept_results.hpp"
+#include "cosim/cli/run/report_file.hpp"
+#include "cosim/cli/run/scenario_run.hpp"
+#include "cosim/cli/run/temporary_folder.hpp"
+#include "cosim/page/index_page.hpp"
+#include "cosim/report/format/fact_lines.hpp"
+#include "cosim/report/format/junit.hpp"
+#include "cosim/report/format/progress_bar.hpp"
+#include "cosim/report/format/summary_text.hpp"
+#include "cosim/run/run_folder.hpp"
+#include "cosim/scenario/scenario_loader.hpp"
+#include "cosim/text/printable.hpp"
+#include "cosim/text/text_file.hpp"
+
+namespace armature::cosim {
+namespace {
+
+constexpr const char* kCheckDetails = R"(Examples:
+  armature check
+  armature check fig9_joint_move max_rate_4mpps --jobs 2
+  armature check scenarios   # a folder of scenarios: all of them
+  armature check --junit results.xml
+  armature check fig9_joint_move --report-dir reports
+
+Without names it checks the scenarios of all your folders that 'armature list' shows. If they have none, it checks those
+of the program. It prints one line with the verdict for each scenario. For a failed scenario it prints the reason and a
+command that shows it, and keeps trace.csv, log.txt and summary.json in --out/<scenario>. It removes
+the results of an earlier check. --report-dir writes index.html, with a row for each scenario and a link to the report
+of each failure. The JUnit file names these reports in the property 'report'.
+Exit code: 0 all passed, 1 one failed, 2 bad input, 3 internal error, 130 interrupted.)";
+
+struct CheckOptions {
+  std::vector<std::string> scenarios;  // or folders of scenarios; empty: all of the user, or else all of the program
+  int jobs = 1;
+  std::filesystem::path out = "out/check";  // results of failed scenarios, each in a folder named after it
+  std::optional<std::filesystem::path> junit;
+  std::optional<std::filesystem::path> report_dir;
+  OutputOptions output;
+};
+
+constexpr const char* kIndexFile = "index.html";
+
+// Runs and judges one scenario. Returns nothing if the run was interrupted. `kept`: folder for the results of a
+// failure.
+// `report`: page for a failure.
+std::optional<JunitCase> check_scenario(const Scenario& scenario, const std::filesystem::path& kept,
+                                        const std::optional<std::filesystem::path>& report) {
+  JunitCase result;
+  result.name = scenario.name;
+  try {
+    remove_results(kept);  // of an earlier check
+    const TemporaryFolder folder;
+    ScenarioRunOptions options;
+    options.traces = {{folder.path() / kTraceFile, scenario.trace.every_ticks}};
+    options.load = {folder.path() / kLoadFile, scenario.trace.every_ticks};
+    options.log = folder.path() / kLogFile;
+    options.serial_log = folder.path() / kSerialFile;
+    options.compare_golden = {kept / kTraceFile, scenario.trace.every_ticks};
+    const RunSummary summary = run_scenario(scenario, options);
+    if (summary.interrupted) return std::nullopt;
+    result.wall_s = summary.host.wall_s;
+    result.output = summary_text(summary);
+    result.properties = fact_properties(summary);
+    result.failure = failure_reasons(scenario, summary);
+    if (!result.failure.empty()) {
+      keep_results(folder.path(), summary, kept);
+      const NextCommand next = next_command(scenario, summary, default_folder(scenario).string());
+      result.failure +=
+          fmt::format("results: {}\n{}: {}\n", printable(kept.string(), kShowAll), next.what, next.command);
+      if (report && can_be_shown(summary)) {
+        write_report(kept, *report);
+        result.report = report->string();
+        result.failure += "report: " + printable(result.report, kShowAll) + '\n';
+      }
+    }
+  } catch (const std::exception& error) {
+    result.error = error.what();
+  }
+  return result;
+}
+
+// The named scenarios. Without names: those of all folders of the user, or those of the program if the user has none.
+std::vector<std::filesystem::path> scenarios_to_check(const std::vector<std::string>& named, const SearchPath& path) {
+  std::vector<std::filesystem::path> files;
+  for (const std::string& name : named) std::ranges::move(find_scenario_files(name, path), std::back_inserter(files));
+  for (const bool own : {true, false}) {
+    if (files.empty()) files = path.scenarios(own);
+  }
+  if (files.empty()) throw InputError{"check", "no scenarios (searched: " + path.searched() + ")"};
+  return files;
+}
+
+bool has_passed(const JunitCase& result) {
+  return result.failure.empty() && result.error.empty();
+}
+
+void write_index(const std::filesystem::path& folder, const std::vector<JunitCase>& cases) {
+  std::vector<IndexRow> rows;
+  rows.reserve(cases.size());
+  for (const JunitCase& one : cases) {
+    rows.push_back({.scenario = one.name,
+                    .passed = has_passed(one),
+                    .reason = one.failure + one.error,
+                    .report = std::filesystem::path{one.report}.filename().string()});
+  }
+  replace_text_file(folder / kIndexFile, index_page(std::move(rows)));
+}
+
+void print_verdict(const JunitCase& result) {
+  std::cout << with_color(
+      fmt::format("{}  {}  ({:.1f} s)\n", has_passed(result) ? "PASS" : "FAIL", printable(result.name), result.wall_s));
+  for (const std::string& text : {result.failure, result.error}) {
+    std::size_t begin = 0;
+    while (begin < text.size()) {
+      const std::size_t end = std::min(text.find('\n', begin), text.size());
+      std::cout << "      " << printable(text.substr(begin, end - begin), kShowAll) << '\n';
+      begin = end + 1;
+    }
+  }
+  std::cout.flush();
+}
+
+// `skipped`: scenarios that were not run, because of an interrupt.
+nlohmann::ordered_json verdicts_json(const std::vector<JunitCase>& finished, std::ptrdiff_t passed,
+                                     std::size_t skipped) {
+  nlohmann::ordered_json document;
+  document["passed"] = passed;
+  document["failed"] = std::ssize(finished) - passed;
+  document["not_run"] = skipped;
+  document["scenarios"] = nlohmann::ordered_json::array();
+  for (const JunitCase& one : finished) {
+    document["scenarios"].push_back({{"scenario", one.name},
+                                     {"passed", has_passed(one)},
+                                     {"failure", one.failure},
+                                     {"error", one.error},
+                                     {"report", one.report},
+                                     {"wall_s", one.wall_s}});
+  }
+  return document;
+}
+
+int check_scenarios(const CheckOptions& given, const SearchPath& path) {
+  std::vector<Scenario> scenarios;
+  for (const auto& file : scenarios_to_check(given.scenarios, path))
+    scenarios.push_back(load_scenario(file, {.search_path = path}));
+  if (given.junit) {
+    OutputFiles files;
+    for (const Scenario& scenario : scenarios) files.reads(scenario);
+    files.writes(*given.junit, "--junit", Writing::kInPlace);
+  }
+  const std::vector<std::filesystem::path> kept = result_folders(scenarios, given.out);
+  std::vector<std::optional<std::filesystem::path>> reports(scenarios.size());
+  if (given.report_dir) {
+    create_folder(*given.report_dir);
+    for (std::size_t i = 0; i < reports.size(); ++i) {
+      reports[i] = *given.report_dir / (kept[i].filename().string() + ".html");
+    }
+  }
+
+  catch_interrupts();
+  // Runs share nothing, so their results do not depend on how many run at a time.
+  std::vector<std::optional<JunitCase>> results(scenarios.size());
+  std::atomic<std::size_t> next{0};
+  std::mutex printing;
+  CheckProgress progress{std::cerr, scenarios.size(), !given.output.quiet && stderr_is_terminal()};
+  const auto work = [&] {
+    for (std::size_t i = next++; i < scenarios.size() && !interrupted(); i = next++) {
+      {
+        const std::scoped_lock lock{printing};
+        progress.begin(scenarios[i].name);
+      }
+      results[i] = check_scenario(scenarios[i], kept[i], reports[i]);
+      if (!results[i]) return;
+      const std::scoped_lock lock{printing};
+      progress.clear();
+      if (!given.output.json && !(given.output.quiet && has_passed(*results[i]))) print_verdict(*results[i]);
+      progress.end(scenarios[i].name);
+    }
+  };
+  {
+    std::vector<std::jthread> helpers;
+    for (int i = 1; i < given.jobs; ++i) helpers.emplace_back(work);
+    work();
+  }
+  progress.clear();
+  std::vector<JunitCase> finished;
+  for (std::optional<JunitCase>& result : results) {
+    if (result) finished.push_back(*std::move(result));
+  }
+  if (given.junit) replace_text_file(*given.junit, junit_xml(finished));
+  if (given.report_dir) write_index(*given.report_dir, finished);
+  const auto passed = std::ranges::count_if(finished, has_passed);
+  const auto failed = std::ssize(finished) - passed;
+  const auto skipped = results.size() - finished.size();
+  if (given.output.json) {
+    print_json(verdicts_json(finished, passed, skipped));
+  } else if (!given.output.quiet || failed > 0 || skipped > 0) {
+    std::cout << fmt::format("{} passed, {} failed", passed, failed)
+              << (skipped > 0 ? fmt::format(", {} not run: interrupted\n", skipped) : "\n");
+  }
+  if (skipped > 0) return kExitInterrupted;
+  return failed == 0 ? kExitOk : kExitCheckFailed;
+}
+
+CommandAction declare_check(CLI::App& app) {
+  const auto options = std::make_shared<CheckOptions>();
+  app.add_option("scenario", options->scenarios,
+                 "Scenario folders, folders of scenarios, or names (default: all of yours)")
+      ->type_name(kScenarioValue);
+  app.add_option("--jobs,-j", options->jobs, "Number of scenarios that run at the same time")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  app.add_option("--out", options->out, "Folder for the results of failed scenarios, each in a subfolder of its name")
+      ->type_name(kFolderValue)
+      ->capture_default_str();
+  app.add_option("--junit", options->junit, "Write the verdicts as JUnit XML to this file")->type_name(kFileValue);
+  app.add_option("--report-dir", options->report_dir,
+                 "Write index.html to this folder, and the report of each failed scenario")
+      ->type_name(kFolderValue);
+  add_quiet_option(app, options->output);
+  add_json_option(app, options->output);
+  return [options](const CommonOptions& common) { return check_scenarios(*options, common.search_path()); };
+}
+
+}  // namespace
+
+Subcommand check_command() {
+  return {.name = "check",
+          .order = 20,
+          .summary = "Run scenarios and compare them with their goldens and expectations",
+          .details = kCheckDetails,
+          .declare = declare_check};
+}
+
+}  // namespace armature::cosim

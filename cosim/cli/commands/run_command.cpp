@@ -1,0 +1,166 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cosim/cli/command/command.hpp"
+#include "cosim/cli/options/logic_options.hpp"
+#include "cosim/cli/options/output_files.hpp"
+#include "cosim/cli/options/output_options.hpp"
+#include "cosim/cli/options/serial_option.hpp"
+#include "cosim/cli/options/value_kinds.hpp"
+#include "cosim/cli/options/wave_options.hpp"
+#include "cosim/cli/run/failure_text.hpp"
+#include "cosim/cli/run/folder_run.hpp"
+#include "cosim/cli/run/interrupt.hpp"
+#include "cosim/cli/run/report_file.hpp"
+#include "cosim/report/format/summary_json.hpp"
+#include "cosim/report/format/summary_text.hpp"
+#include "cosim/scenario/scenario_loader.hpp"
+#include "cosim/text/names.hpp"
+#include "cosim/text/printable.hpp"
+
+namespace armature::cosim {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kRunDetails = R"(Examples:
+  armature run scenarios/fig9_joint_move
+  armature run draw_line --report
+  armature run fig9_joint_move --vcd fig9.vcd --from 0.1 --to 0.1002
+  armature run late_core --fst late.fst --wave-on fault
+  armature run fig9_joint_move --serial pty:/tmp/arm --pace 1
+  armature run pulse_loss_recovered --set controller.feedback=false --out out/open_loop   # exits with 1
+  armature run fig9_joint_move --variant paper --out out/paper   # exits with 1: its decoder sees one axis
+
+The run writes trace.csv, summary.json and log.txt to --out, and serial.csv if the serial line is connected. With
+--report it also writes report.html, as 'armature report' does; --from and --to are the part of the run that it shows
+first. If the run fails, a command is printed that shows it. --json prints summary.json. scenarios/RESULTS.md describes
+these files. Only one run at a time can write into a folder. During the run, and after it was killed, the folder has a
+file 'unfinished'; 'armature report' and 'armature plot' show what there is.
+If a result or the file of --vcd is a device, a pipe or a link, the run writes into it. The file of --fst must be a
+regular file. No output may be a file that the run reads.
+GTKWave shows a waveform with the view tools/arm_soc.gtkw, or arm_soc_paper.gtkw of --variant paper: gtkwave fig9.vcd
+tools/arm_soc.gtkw. scenarios/WAVEFORMS.md explains it.
+The run is compared with golden.csv, except with --variant, --serial, or --set of other keys than expect. and
+trace.every_ticks.
+Ctrl-C ends the run and completes its files. The converter of --fst takes up to a second for that.
+Exit code: 0 ok, 1 the golden, an expectation or an invariant failed, 2 bad input, 3 internal error,
+130 interrupted.)";
+
+struct RunOptions {
+  std::string scenario;         // folder, scenario.toml, or a name from `armature list`
+  std::optional<fs::path> out;  // default out/<scenario>
+  WaveOptions wave;
+  bool report = false;
+  std::vector<std::string> set;  // key=value
+  LogicChoice logic;
+  std::optional<std::string> serial;  // pty, pty:LINK, tcp:PORT, replay:FILE
+  std::optional<double> pace;
+  OutputOptions output;
+};
+
+// Why the run cannot be compared with the golden: an option changes the run. Empty if it can. A --set of [expect] or of
+// trace.every_ticks does not change what is compared.
+std::string why_not_comparable(const RunOptions& options) {
+  for (const std::string& assignment : options.set) {
+    if (assignment.starts_with("expect.") || assignment.starts_with("trace.every_ticks=")) continue;
+    return "the run has --set " + printable(assignment);
+  }
+  if (const auto variant = options.logic.variant) return fmt::format("the run has --variant {}", word_of(*variant));
+  if (options.serial) return "the run has --serial " + *options.serial;
+  return {};
+}
+
+// The options that a command must have to show this run again.
+std::vector<std::string> repeated_options(const RunOptions& given) {
+  std::vector<std::string> words;
+  for (const std::string& assignment : given.set) words.insert(words.end(), {"--set", assignment});
+  if (given.logic.variant) words.insert(words.end(), {"--variant", std::string{word_of(*given.logic.variant)}});
+  if (given.logic.engine) words.insert(words.end(), {"--engine", std::string{word_of(*given.logic.engine)}});
+  if (given.out) words.insert(words.end(), {"--out", given.out->string()});
+  return words;
+}
+
+int exit_code(const RunSummary& summary) {
+  if (summary.interrupted) return kExitInterrupted;
+  return summary.passed() ? kExitOk : kExitCheckFailed;
+}
+
+int run(const RunOptions& given, const SearchPath& path) {
+  Scenario scenario =
+      load_scenario(given.scenario, {.search_path = path, .overrides = given.set, .logic = given.logic});
+  const fs::path out = given.out.value_or(default_folder(scenario));
+  OutputFiles files;
+  files.reads(scenario);
+  if (given.serial) {
+    if (const auto file = file_of_serial(*given.serial)) files.reads(*file);
+  }
+  claim_results(files, out);
+  if (given.report) files.writes(out / kReportFile, "--report", Writing::kInPlace);
+  FolderRunOptions options{.out = out, .wave = wave_request(given.wave, scenario.duration_s, files)};
+  options.serial = given.serial;
+  options.pace = given.pace;
+  options.show_progress = !given.output.quiet;
+  options.why_not_compared = why_not_comparable(given);
+  catch_interrupts();  // from now on there are files to complete
+  const RunSummary summary = run_into_folder(scenario, options);
+  const bool reported = given.report && can_be_shown(summary);
+  if (reported) write_report(out, out / kReportFile, {.page = {.shown = shown_part(given.wave, scenario)}});
+  if (given.output.json) {
+    std::cout << summary_json(summary);
+    return exit_code(summary);
+  }
+  if (given.output.quiet && summary.passed()) return kExitOk;
+  std::cout << with_color(summary_text(summary))
+            << fmt::format("results        {}\n", printable(out.string(), kShowAll));
+  if (reported) std::cout << fmt::format("report         {}\n", printable((out / kReportFile).string(), kShowAll));
+  if (given.report && !reported) std::cout << kNoReport;
+  const bool shown = given.report && options.wave;
+  if (!summary.passed() && !summary.interrupted && !given.serial && !shown) {
+    const NextCommand next = next_command(scenario, summary, out.string(), repeated_options(given));
+    std::cout << fmt::format("{:<14} {}\n", next.what, next.command);
+  }
+  if (options.wave && !summary.wave_written) std::cout << no_wave_text(*options.wave);
+  return exit_code(summary);
+}
+
+CommandAction declare_run(CLI::App& app) {
+  const auto options = std::make_shared<RunOptions>();
+  app.add_option("scenario", options->scenario, "Scenario folder, scenario.toml, or a name from 'armature list'")
+      ->required()
+      ->type_name(kScenarioValue);
+  app.add_option("--out", options->out, "Folder for the results (default out/<scenario>)")->type_name(kFolderValue);
+  app.add_flag("--report", options->report, "Also write a page that shows the run: report.html in --out");
+  add_wave_options(app, options->wave);
+  app.add_option("--set", options->set,
+                 "Override a key of the scenario: --set controller.feedback=false. May be repeated")
+      ->allow_extra_args(false);  // one value for each --set: the next word may be the scenario
+  add_logic_options(app, options->logic);
+  app.add_option("--serial", options->serial,
+                 "Far end of the serial line: pty[:LINK], tcp:PORT (0: any free one), or replay:FILE with the "
+                 "serial.csv of a run with another --out");
+  app.add_option(
+         "--pace", options->pace,
+         "Largest simulated time per real time, such as 1 or 0.1 (default: as fast as possible). The results are "
+         "the same")
+      ->check(CLI::Range(1e-4, 1e4));
+  add_quiet_option(app, options->output);
+  add_json_option(app, options->output);
+  app.callback([options] { check_wave_options(options->wave, options->report); });
+  return [options](const CommonOptions& common) { return run(*options, common.search_path()); };
+}
+
+}  // namespace
+
+Subcommand run_command() {
+  return {.name = "run", .order = 10, .summary = "Run one scenario", .details = kRunDetails, .declare = declare_run};
+}
+
+}  // namespace armature::cosim

@@ -1,0 +1,49 @@
+#include "cosim/cli/options/logic_options.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "controller/base/words.hpp"
+
+namespace armature::cosim {
+namespace {
+
+template <class Enum>
+void add_choice(CLI::App& command, const std::string& option, std::optional<Enum>& chosen, const std::string& help) {
+  constexpr auto& kNames = kWordsOf<Enum>;
+  command
+      .add_option_function<std::string>(
+          option, [&chosen](const std::string& name) { chosen = enumerator_of<Enum>(name); }, help)
+      ->check(CLI::IsMember(std::vector<std::string>(kNames.begin(), kNames.end())));
+}
+
+void refuse_old_option(CLI::App& command) {
+  const std::string old = "--" + std::string{kOldLogicKey};
+  command
+      .add_option_function<std::string>(
+          old,
+          [old](const std::string& value) {
+            const std::string_view meant = variant_of_old_key(value);
+            const std::string name =
+                meant.empty() ? fmt::format("{}", fmt::join(kWordsOf<Variant>, " or --variant ")) : std::string{meant};
+            throw CLI::ValidationError(old, "write --variant " + name);
+          })
+      ->group("");  // not in --help
+}
+
+}  // namespace
+
+void add_logic_options(CLI::App& command, LogicChoice& chosen) {
+  add_choice(command, "--variant", chosen.variant,
+             "Variant of the logic: 'counts', or 'paper' as Vo 2021 describes it (half periods, one decoder)");
+  add_choice(command, "--engine", chosen.engine,
+             "Program that simulates the logic: 'rtl', the verilated SystemVerilog");
+  refuse_old_option(command);
+}
+
+}  // namespace armature::cosim
