@@ -13,7 +13,8 @@ SPEED_MM_S = 100
 SLOW = "[cpu]\nplan_compute_cycles = 5000000  # 0.1 s for each window, on core 1\n"
 LONGER = ("--set", "duration_s=1.1")
 SEED = 20261127
-CURVES = 1 if "ARMATURE_FEW_DRAWS" in os.environ else 6
+# Each takes 16 s. tests/controller/app/smooth_curves_test.cpp draws a hundred, without the program around them.
+CURVES = 1 if "ARMATURE_FEW_DRAWS" in os.environ else 2
 
 
 def place(i):
