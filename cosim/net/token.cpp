@@ -4,7 +4,6 @@
 #include <openssl/crypto.h>
 #include <sys/random.h>
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdint>
@@ -14,12 +13,6 @@
 
 namespace armature::cosim {
 namespace {
-
-// Without the blanks at both ends.
-std::string_view trimmed(std::string_view text) {
-  text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
-  return text.substr(0, text.find_last_not_of(kBlanks) + 1);
-}
 
 // The time that it takes does not depend on where the two differ.
 bool same_text(std::string_view a, std::string_view b) {

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "cosim/text/blanks.hpp"
 #include "cosim/text/byte_order_mark.hpp"
 #include "cosim/text/csv_line.hpp"
 #include "cosim/text/number_text.hpp"
@@ -49,9 +50,8 @@ void trim(const CsvLine& line, std::vector<Field>& fields) {
   fields.clear();
   std::size_t begin = 0;
   for (const std::string_view value : line.values()) {
-    const std::size_t first = std::min(value.find_first_not_of(" \t"), value.size());
-    const std::size_t last = value.find_last_not_of(" \t") + 1;
-    fields.push_back({value.substr(first, last - std::min(first, last)), begin + first});
+    const std::string_view text = trimmed(value);
+    fields.push_back({text, begin + static_cast<std::size_t>(text.data() - value.data())});
     begin += value.size() + 1;
   }
 }

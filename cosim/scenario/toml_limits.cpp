@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "cosim/text/blanks.hpp"
 #include "cosim/text/input_error.hpp"
 #include "cosim/text/printable.hpp"
 
@@ -52,9 +53,8 @@ class Scan {
 
   // At `[[`.
   void count_table() {
-    std::string_view kind = text_.substr(at_ + 2, std::min(text_.find_first_of("]\n", at_), text_.size()) - at_ - 2);
-    const std::size_t first = std::min(kind.find_first_not_of(" \t"), kind.size());
-    kind = kind.substr(first, kind.find_last_not_of(" \t") + 1 - first);
+    const std::string_view kind =
+        trimmed(text_.substr(at_ + 2, std::min(text_.find_first_of("]\n", at_), text_.size()) - at_ - 2));
     if (++tables_[kind] > kMaxTables) fail("expected " + at_most_tables(kMaxTables, kind));
   }
 
