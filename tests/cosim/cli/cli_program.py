@@ -22,6 +22,7 @@ class Program(unittest.TestCase):
     """Every test runs in an empty folder, removed at its end."""
 
     path = ""  # of the program
+    longest_s = 240  # of host time: a program that has not ended by then fails its test
 
     @classmethod
     def setUpClass(cls):
@@ -41,6 +42,7 @@ class Program(unittest.TestCase):
             text=True,
             capture_output=True,
             env={**os.environ, **environment},
+            timeout=self.longest_s,
         )
         self.assertEqual(done.returncode, code, f"{arguments}\n{done.stdout}\n{done.stderr}")
         return done

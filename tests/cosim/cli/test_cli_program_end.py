@@ -11,6 +11,8 @@ JOB = "/JOB\n//NAME PART\n//POS\n///NPOS 0,0,0,0,0,0\n//INST\nNOP\n{}END\n"
 
 
 class EndsOfPrograms(Program):
+    longest_s = 60  # a run without duration_s would simulate 600 s if its program did not end it
+
     def run_it(self, program, keys="", tables=MOVE, name="part.ngc", code=0):
         (self.folder / "s").mkdir(exist_ok=True)
         (self.folder / "s" / name).write_text(program)
