@@ -16,12 +16,12 @@ constexpr double kSquareResolution = 1e-13;  // of the largest x
 LawInterval::LawInterval(const LawLimits& near, const LawLimits& far, double step) noexcept
     : near_most_{largest_square(near)}, step_{step} {
   for (const LawLimits::Band& band : near.bands) {
-    if (band.by_accel != 0.0) bands_[band_count_++] = band;
+    if (band.by_accel != 0.0) add(band);
   }
   for (const LawLimits::Band& band : far.bands) {
     const double by_accel = band.by_accel + 2.0 * step * band.by_square;
     if (by_accel != 0.0) {
-      bands_[band_count_++] = {by_accel, band.by_square};
+      add({by_accel, band.by_square});
     } else if (band.by_square != 0.0) {
       near_most_ = std::min(near_most_, 1.0 / std::fabs(band.by_square));
     }
@@ -39,6 +39,10 @@ LawInterval::LawInterval(const LawLimits& near, const LawLimits& far, double ste
   }
 }
 
+void LawInterval::add(const LawLimits::Band& band) noexcept {
+  bands_[band_count_++] = {-band.by_square / band.by_accel, 1.0 / std::fabs(band.by_accel)};
+}
+
 LawInterval::Accelerations LawInterval::accelerations(double square) const noexcept {
   Accelerations result{.low = -kNoBound, .high = kNoBound};
   const auto within = [&result](double low, double high, double low_slope, double high_slope) {
@@ -52,8 +56,7 @@ LawInterval::Accelerations LawInterval::accelerations(double square) const noexc
     }
   };
   for (std::size_t i = 0; i < band_count_; ++i) {
-    const LawLimits::Band& band = bands_[i];
-    const double slope = -band.by_square / band.by_accel, half = 1.0 / std::fabs(band.by_accel);
+    const auto [slope, half] = bands_[i];
     within(slope * square - half, slope * square + half, slope, slope);
   }
   for (std::size_t i = 0; i < ellipse_count_; ++i) {

@@ -42,7 +42,11 @@ class LawInterval {
 
   // The limits of both ends, all by u and x of the near end.
   static constexpr std::size_t kBands = 2 * std::tuple_size_v<decltype(LawLimits::bands)>, kEllipses = 4;
-  std::array<LawLimits::Band, kBands> bands_{};
+  struct Band {  // u within slope x +- half
+    double slope = 0.0, half = 0.0;
+  };
+  void add(const LawLimits::Band& band) noexcept;
+  std::array<Band, kBands> bands_{};
   std::array<LawLimits::Ellipse, kEllipses> ellipses_{};
   std::size_t band_count_ = 0, ellipse_count_ = 0;
   double near_most_;
