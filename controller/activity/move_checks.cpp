@@ -7,7 +7,7 @@
 
 #include "controller/drivers/axi_gpio.hpp"
 #include "controller/kinematics/turns.hpp"
-#include "controller/trajectory/plan/joint_move.hpp"
+#include "controller/trajectory/joint/joint_move.hpp"
 
 namespace armature {
 namespace {

@@ -20,7 +20,7 @@
 #include "controller/language/program/program_client.hpp"
 #include "controller/message/inbox.hpp"
 #include "controller/motion/paper_logic_port.hpp"
-#include "controller/pendant/pendant_client.hpp"
+#include "controller/pendant/client/pendant_client.hpp"
 #include "controller/robot/robot_model.hpp"
 
 namespace armature {

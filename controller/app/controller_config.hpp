@@ -10,7 +10,7 @@
 #include "controller/kinematics/transform.hpp"
 #include "controller/language/program/interpreter.hpp"
 #include "controller/motion/paper_logic_port.hpp"
-#include "controller/pendant/pendant_config.hpp"
+#include "controller/pendant/client/pendant_config.hpp"
 #include "controller/trajectory/profile/synchronise.hpp"
 
 namespace armature {

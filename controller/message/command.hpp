@@ -41,7 +41,7 @@ struct FramedPose {
 };
 
 // How a joint move passes its target when another joint move or a path follows: without a stop, at a distance. It is
-// the largest deviation of any joint at the closest set-point (plan/joint_chain.hpp, plan/path_joint_corner.hpp). The
+// the largest deviation of any joint at the closest set-point (joint/joint_chain.hpp, plan/path_joint_corner.hpp). The
 // next move must be submitted before the first one is sent to core 0. A chain has at most JointChain::kMaxMoves moves.
 // The joints stop exactly if the next move comes too late, is of another kind, begins at once or was refused. At most
 // one of both is above 0.

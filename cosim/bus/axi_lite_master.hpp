@@ -7,8 +7,8 @@
 
 #include "controller/base/units.hpp"
 #include "cosim/bus/bus_access.hpp"
+#include "cosim/bus/bus_spec.hpp"
 #include "cosim/fabric/fabric.hpp"
-#include "cosim/scenario/scenario.hpp"
 #include "cosim/time/random.hpp"
 
 namespace armature::cosim {

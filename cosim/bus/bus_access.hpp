@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "cosim/scenario/bus_error.hpp"
+#include "cosim/bus/bus_error.hpp"
 
 namespace armature::cosim {
 

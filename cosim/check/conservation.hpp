@@ -36,11 +36,11 @@
 
 #include "controller/base/axes.hpp"
 #include "controller/base/units.hpp"
+#include "cosim/bus/bus_spec.hpp"
 #include "cosim/check/expected_positions.hpp"
 #include "cosim/check/paper_widths.hpp"
-#include "cosim/fabric/fabric.hpp"
+#include "cosim/logic/pins.hpp"
 #include "cosim/plant/plant.hpp"
-#include "cosim/scenario/scenario.hpp"
 
 namespace armature::cosim {
 

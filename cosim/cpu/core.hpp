@@ -15,9 +15,9 @@
 
 #include "controller/hal/register_bus.hpp"
 #include "cosim/bus/axi_lite_master.hpp"
+#include "cosim/cpu/cpu_spec.hpp"
 #include "cosim/cpu/fiber.hpp"
 #include "cosim/cpu/processor.hpp"
-#include "cosim/scenario/scenario.hpp"
 
 namespace armature::cosim {
 

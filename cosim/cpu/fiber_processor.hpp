@@ -8,8 +8,8 @@
 #include "controller/app/controller.hpp"
 #include "controller/robot/robot_model.hpp"
 #include "cosim/cpu/core.hpp"
+#include "cosim/cpu/cpu_spec.hpp"
 #include "cosim/cpu/processor.hpp"
-#include "cosim/scenario/scenario.hpp"
 
 namespace armature::cosim {
 

@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "controller/base/units.hpp"
-#include "cosim/fabric/pins.hpp"
-#include "cosim/scenario/logic_spec.hpp"
+#include "cosim/logic/logic_spec.hpp"
+#include "cosim/logic/pins.hpp"
 
 namespace armature::cosim {
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "cosim/fabric/fabric_wrapper.hpp"
-#include "cosim/fabric/pin_table.hpp"
+#include "cosim/logic/pin_table.hpp"
 #include "cosim/time/random.hpp"
 
 namespace armature::cosim {

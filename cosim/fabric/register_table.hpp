@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "cosim/scenario/logic_spec.hpp"
+#include "cosim/logic/logic_spec.hpp"
 
 namespace armature::cosim {
 

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "cosim/fabric/fabric.hpp"
-#include "cosim/scenario/logic_spec.hpp"
+#include "cosim/logic/logic_spec.hpp"
 
 namespace armature::cosim {
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "cosim/cpu/processor.hpp"
-#include "cosim/fabric/fabric.hpp"
+#include "cosim/fault/fault_spec.hpp"
+#include "cosim/logic/pins.hpp"
 #include "cosim/plant/plant.hpp"
-#include "cosim/scenario/fault_spec.hpp"
 #include "cosim/soc/soc.hpp"
 
 namespace armature::cosim {

@@ -6,8 +6,8 @@
 #include "controller/language/job/execute/machine.hpp"
 #include "controller/language/job/loader/loader.hpp"
 #include "controller/language/job/memory/program_memory.hpp"
-#include "cosim/scenario/gcode_files.hpp"
-#include "cosim/scenario/program_name.hpp"
+#include "cosim/programs/gcode_files.hpp"
+#include "cosim/programs/program_name.hpp"
 #include "cosim/scenario/to_controller.hpp"
 
 namespace armature::cosim {

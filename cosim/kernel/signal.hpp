@@ -5,8 +5,8 @@
 #include <string>
 #include <variant>
 
+#include "cosim/bus/bus_error.hpp"
 #include "cosim/cpu/processor.hpp"
-#include "cosim/scenario/bus_error.hpp"
 #include "cosim/serial/serial_event.hpp"
 
 namespace armature::cosim {

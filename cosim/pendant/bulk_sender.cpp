@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "controller/pendant/bulk_receiver.hpp"
-#include "controller/pendant/crc32.hpp"
+#include "controller/pendant/protocol/bulk_receiver.hpp"
+#include "controller/pendant/protocol/crc32.hpp"
 
 namespace armature::cosim {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "controller/pendant/frame.hpp"
+#include "controller/pendant/protocol/frame.hpp"
 #include "cosim/pendant/command_sender.hpp"
 
 namespace armature::cosim {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "controller/pendant/frame.hpp"
+#include "controller/pendant/protocol/frame.hpp"
 
 namespace armature::cosim {
 

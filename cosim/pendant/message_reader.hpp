@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "controller/pendant/message_pages.hpp"
+#include "controller/pendant/protocol/message_pages.hpp"
 
 namespace armature::cosim {
 

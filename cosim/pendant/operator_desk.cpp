@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "controller/pendant/frame.hpp"
+#include "controller/pendant/protocol/frame.hpp"
 
 namespace armature::cosim {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "cosim/pendant/operator_link.hpp"
-#include "cosim/scenario/robot_spec.hpp"
+#include "cosim/robot/robot_spec.hpp"
 
 namespace armature::cosim {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "controller/pendant/command_link.hpp"
-#include "controller/pendant/estop_detector.hpp"
+#include "controller/pendant/parts/estop_detector.hpp"
+#include "controller/pendant/protocol/command_link.hpp"
 
 namespace armature::cosim {
 

@@ -13,8 +13,8 @@
 #include <string_view>
 #include <vector>
 
-#include "controller/pendant/frame.hpp"
-#include "controller/pendant/frame_receiver.hpp"
+#include "controller/pendant/protocol/frame.hpp"
+#include "controller/pendant/protocol/frame_receiver.hpp"
 #include "cosim/pendant/bulk_sender.hpp"
 #include "cosim/pendant/command_sender.hpp"
 #include "cosim/pendant/message_reader.hpp"

@@ -4,8 +4,8 @@
 
 #include "controller/base/timebase.hpp"
 #include "controller/base/words.hpp"
-#include "controller/pendant/command_link.hpp"
-#include "controller/pendant/estop_detector.hpp"
+#include "controller/pendant/parts/estop_detector.hpp"
+#include "controller/pendant/protocol/command_link.hpp"
 #include "cosim/pendant/step_frames.hpp"
 
 namespace armature::cosim {

@@ -12,13 +12,13 @@
 #include <string>
 #include <vector>
 
-#include "controller/pendant/frame.hpp"
-#include "controller/pendant/frame_receiver.hpp"
+#include "controller/pendant/protocol/frame.hpp"
+#include "controller/pendant/protocol/frame_receiver.hpp"
 #include "cosim/pendant/bulk_sender.hpp"
 #include "cosim/pendant/command_sender.hpp"
 #include "cosim/pendant/message_reader.hpp"
-#include "cosim/scenario/pendant_spec.hpp"
-#include "cosim/scenario/robot_spec.hpp"
+#include "cosim/pendant/pendant_spec.hpp"
+#include "cosim/robot/robot_spec.hpp"
 #include "cosim/serial/serial_peer.hpp"
 #include "cosim/time/random.hpp"
 

@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "controller/pendant/staged_move.hpp"
-#include "cosim/scenario/program_name.hpp"
+#include "controller/pendant/parts/staged_move.hpp"
+#include "cosim/programs/program_name.hpp"
 
 namespace armature::cosim {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "controller/pendant/frame.hpp"
-#include "cosim/scenario/pendant_spec.hpp"
-#include "cosim/scenario/robot_spec.hpp"
+#include "controller/pendant/protocol/frame.hpp"
+#include "cosim/pendant/pendant_spec.hpp"
+#include "cosim/robot/robot_spec.hpp"
 
 namespace armature::cosim {
 

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "controller/base/units.hpp"
-#include "cosim/scenario/scenario.hpp"
+#include "cosim/robot/robot_spec.hpp"
 
 namespace armature::cosim {
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "cosim/scenario/scenario.hpp"
+#include "cosim/robot/robot_spec.hpp"
 
 namespace armature::cosim {
 

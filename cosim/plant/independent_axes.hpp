@@ -5,7 +5,7 @@
 
 #include "cosim/plant/mechanics.hpp"
 #include "cosim/plant/position_loop.hpp"
-#include "cosim/scenario/scenario.hpp"
+#include "cosim/robot/robot_spec.hpp"
 
 namespace armature::cosim {
 

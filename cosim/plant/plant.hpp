@@ -14,14 +14,14 @@
 
 #include "controller/base/axes.hpp"
 #include "controller/base/units.hpp"
-#include "cosim/fabric/fabric.hpp"
+#include "cosim/logic/pins.hpp"
 #include "cosim/plant/axis_switches.hpp"
 #include "cosim/plant/clock.hpp"
 #include "cosim/plant/drop_out.hpp"
 #include "cosim/plant/incremental_encoder.hpp"
 #include "cosim/plant/mechanics.hpp"
 #include "cosim/plant/servo_drive.hpp"
-#include "cosim/scenario/scenario.hpp"
+#include "cosim/robot/robot_spec.hpp"
 
 namespace armature::cosim {
 

@@ -8,7 +8,7 @@
 #pragma once
 
 #include "cosim/plant/mechanics.hpp"
-#include "cosim/scenario/scenario.hpp"
+#include "cosim/robot/robot_spec.hpp"
 
 namespace armature::cosim {
 

@@ -14,7 +14,7 @@
 #include "cosim/plant/mechanics.hpp"
 #include "cosim/plant/step_input.hpp"
 #include "cosim/plant/subcounts.hpp"
-#include "cosim/scenario/scenario.hpp"
+#include "cosim/robot/robot_spec.hpp"
 
 namespace armature::cosim {
 

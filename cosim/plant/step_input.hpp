@@ -10,7 +10,7 @@
 #include <string>
 
 #include "controller/base/units.hpp"
-#include "cosim/scenario/scenario.hpp"
+#include "cosim/robot/robot_spec.hpp"
 
 namespace armature::cosim {
 

@@ -8,7 +8,7 @@
 #include "controller/base/members.hpp"
 #include "controller/base/units.hpp"
 #include "controller/message/event.hpp"
-#include "cosim/report/format/message_json.hpp"
+#include "cosim/report/format/json/message_json.hpp"
 #include "cosim/scenario/command_names.hpp"
 
 namespace armature::cosim {

@@ -1,10 +1,10 @@
 // Compares a run with the golden of its scenario. Without this listener the summary does not mention the golden.
 #pragma once
 
+#include "cosim/golden/golden_comparer.hpp"
 #include "cosim/report/measure/tool_point.hpp"
 #include "cosim/run/run_listener.hpp"
 #include "cosim/scenario/scenario.hpp"
-#include "cosim/trace/golden_comparer.hpp"
 #include "cosim/trace/trace_file.hpp"
 
 namespace armature::cosim {

@@ -2,8 +2,8 @@
 
 #include <utility>
 
+#include "cosim/kernel/scenario_soc.hpp"
 #include "cosim/report/judge/expect.hpp"
-#include "cosim/soc/make_soc.hpp"
 
 namespace armature::cosim {
 namespace {

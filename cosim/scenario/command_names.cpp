@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "controller/language/job/execute/machine.hpp"
-#include "cosim/scenario/program_name.hpp"
+#include "cosim/programs/program_name.hpp"
 #include "cosim/text/printable.hpp"
 
 namespace armature::cosim {

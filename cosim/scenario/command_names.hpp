@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "controller/base/tag.hpp"
-#include "cosim/scenario/gcode_files.hpp"
+#include "cosim/programs/gcode_files.hpp"
 #include "cosim/scenario/scenario.hpp"
 
 namespace armature::cosim {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "cosim/scenario/fault_spec.hpp"
+#include "cosim/fault/fault_spec.hpp"
 #include "cosim/scenario/keys/key_value.hpp"
 
 namespace armature::cosim {

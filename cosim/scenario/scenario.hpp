@@ -14,20 +14,21 @@
 
 #include "controller/base/axes.hpp"
 #include "controller/cell/planning_config.hpp"
-#include "cosim/scenario/conveyor_spec.hpp"
-#include "cosim/scenario/cpu_spec.hpp"
-#include "cosim/scenario/fault_spec.hpp"
-#include "cosim/scenario/input_file.hpp"
-#include "cosim/scenario/logic_spec.hpp"
+#include "cosim/belt/conveyor_spec.hpp"
+#include "cosim/bus/bus_spec.hpp"
+#include "cosim/cpu/cpu_spec.hpp"
+#include "cosim/fault/fault_spec.hpp"
+#include "cosim/logic/logic_spec.hpp"
+#include "cosim/pendant/pendant_spec.hpp"
+#include "cosim/poses/pose_spec.hpp"
+#include "cosim/programs/program_spec.hpp"
+#include "cosim/robot/robot_spec.hpp"
 #include "cosim/scenario/moves/kinds.hpp"
-#include "cosim/scenario/pendant_spec.hpp"
 #include "cosim/scenario/pin_spec.hpp"
-#include "cosim/scenario/pose_spec.hpp"
-#include "cosim/scenario/program_spec.hpp"
-#include "cosim/scenario/robot_spec.hpp"
-#include "cosim/scenario/serial_spec.hpp"
 #include "cosim/scenario/stream_spec.hpp"
+#include "cosim/serial/serial_spec.hpp"
 #include "cosim/text/input_error.hpp"
+#include "cosim/text/input_file.hpp"
 
 namespace armature::cosim {
 
@@ -35,19 +36,6 @@ struct ControllerSpec {
   std::string sync = "fig9";  // fig9 | const_acc | time_scale
   bool feedback = true;
   double max_stretch = PlanningConfig{}.max_stretch;  // the planner's own default
-};
-
-// [paper], used with Variant::kPaper only. That variant has no feedback.
-struct PaperSpec {
-  std::int64_t encoder_axis = 1;  // 1..6: the axis that the decoder sees
-  std::optional<std::int64_t>
-      switch_every_ticks;  // at least 2: the decoder is switched to the next axis after so many ticks
-};
-
-struct BusSpec {
-  std::int64_t latency_cycles = 6;     // processing-system side, each way
-  std::int64_t timeout_cycles = 1000;  // an access that takes longer ends the run
-  double stall_probability = 0.0;      // seeded stalls on every channel, per cycle, 0..0.9
 };
 
 struct TraceSpec {

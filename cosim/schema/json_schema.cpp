@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "cosim/scenario/robot_spec.hpp"
+#include "cosim/robot/robot_spec.hpp"
 #include "cosim/schema/key_text.hpp"
 
 namespace armature::cosim {

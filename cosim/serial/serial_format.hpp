@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-#include "cosim/scenario/serial_spec.hpp"
+#include "cosim/serial/serial_spec.hpp"
 
 namespace armature::cosim {
 

@@ -18,8 +18,8 @@
 #include <string_view>
 #include <vector>
 
-#include "cosim/scenario/serial_spec.hpp"
 #include "cosim/serial/serial_event.hpp"
+#include "cosim/serial/serial_spec.hpp"
 
 namespace armature::cosim {
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "controller/base/units.hpp"
-#include "cosim/scenario/serial_spec.hpp"
 #include "cosim/serial/line_sender.hpp"
+#include "cosim/serial/serial_spec.hpp"
 
 namespace armature::cosim {
 

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "cosim/fabric/pin_table.hpp"
+#include "cosim/logic/pin_table.hpp"
 #include "cosim/text/suggest.hpp"
 
 namespace armature::cosim {

@@ -31,8 +31,4 @@ std::unique_ptr<Soc> make_soc(Variant variant, Engine engine, const BusSpec& bus
   return kMakers[static_cast<std::size_t>(engine)](variant, bus, seed, input_jitter);
 }
 
-std::unique_ptr<Soc> make_soc(const Scenario& scenario) {
-  return make_soc(scenario.variant, scenario.engine, scenario.bus, scenario.seed, scenario.input_jitter);
-}
-
 }  // namespace armature::cosim

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "cosim/bus/axi_lite_master.hpp"
+#include "cosim/bus/bus_spec.hpp"
 #include "cosim/fabric/fabric.hpp"
-#include "cosim/scenario/scenario.hpp"
 #include "cosim/soc/soc.hpp"
 
 namespace armature::cosim {

@@ -14,7 +14,7 @@
 #include "controller/base/units.hpp"
 #include "cosim/bus/bus_access.hpp"
 #include "cosim/fabric/fabric.hpp"
-#include "cosim/scenario/logic_spec.hpp"
+#include "cosim/logic/logic_spec.hpp"
 
 namespace armature::cosim {
 

@@ -24,10 +24,10 @@
 #include <vector>
 
 #include "cosim/cli/run/scenario_run.hpp"
+#include "cosim/kernel/scenario_soc.hpp"
 #include "cosim/kernel/simulation.hpp"
 #include "cosim/report/measure/run_facts.hpp"
-#include "cosim/scenario/scenario_loader.hpp"
-#include "cosim/soc/make_soc.hpp"
+#include "cosim/scenario/files/scenario_loader.hpp"
 #include "cosim/time/clock.hpp"
 #include "cosim/trace/csv_writer.hpp"
 #include "cosim/trace/integer_digest.hpp"

@@ -6,11 +6,11 @@
 #include <stdexcept>
 #include <variant>
 
-#include "controller/activity/plans/path_requests.hpp"
+#include "controller/activity/plans/stages/path_requests.hpp"
 #include "controller/cell/frames.hpp"
+#include "controller/trajectory/joint/joint_move.hpp"
 #include "controller/trajectory/path/arm_plane.hpp"
 #include "controller/trajectory/plan/cartesian_planner.hpp"
-#include "controller/trajectory/plan/joint_move.hpp"
 #include "cosim/scenario/to_controller.hpp"
 #include "tests/controller/support/finish_plan.hpp"
 

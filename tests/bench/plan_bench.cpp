@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "controller/activity/jog/velocity_source.hpp"
-#include "controller/trajectory/plan/joint_passage.hpp"
-#include "controller/trajectory/plan/joint_retarget.hpp"
+#include "controller/trajectory/joint/joint_passage.hpp"
+#include "controller/trajectory/joint/joint_retarget.hpp"
 #include "tests/bench/bench_arms.hpp"
 #include "tests/bench/best_only.hpp"
 #include "tests/controller/support/random.hpp"

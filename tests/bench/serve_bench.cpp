@@ -20,12 +20,12 @@
 #include <string>
 #include <thread>
 
+#include "cosim/kernel/scenario_soc.hpp"
 #include "cosim/net/listener.hpp"
 #include "cosim/serve/client/armature_client.h"
 #include "cosim/serve/interpreter.hpp"
 #include "cosim/serve/served_soc.hpp"
 #include "cosim/serve/server.hpp"
-#include "cosim/soc/make_soc.hpp"
 
 namespace {
 

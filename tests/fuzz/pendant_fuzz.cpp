@@ -8,12 +8,12 @@
 #include <optional>
 #include <span>
 
-#include "controller/pendant/admission.hpp"
-#include "controller/pendant/bulk_receiver.hpp"
-#include "controller/pendant/command_link.hpp"
-#include "controller/pendant/crc8.hpp"
-#include "controller/pendant/estop_detector.hpp"
-#include "controller/pendant/frame_receiver.hpp"
+#include "controller/pendant/parts/estop_detector.hpp"
+#include "controller/pendant/protocol/admission.hpp"
+#include "controller/pendant/protocol/bulk_receiver.hpp"
+#include "controller/pendant/protocol/command_link.hpp"
+#include "controller/pendant/protocol/crc8.hpp"
+#include "controller/pendant/protocol/frame_receiver.hpp"
 
 namespace armature::pendant {
 namespace {

@@ -8,7 +8,7 @@
 #include "controller/regs/axi_timer_regs.hpp"
 #include "controller/regs/pulse_train_regs.hpp"
 #include "controller/regs/soc_map.hpp"
-#include "cosim/fabric/pin_list.hpp"
+#include "cosim/logic/pin_list.hpp"
 
 namespace armature::test {
 namespace {

@@ -11,7 +11,7 @@
 #include "cosim/fabric/fabric_wrapper.hpp"
 #include "cosim/fabric/verilated_fabric.hpp"
 #include "cosim/kernel/simulation.hpp"
-#include "cosim/scenario/scenario_loader.hpp"
+#include "cosim/scenario/files/scenario_loader.hpp"
 #include "tests/replay/random_session.hpp"
 #include "tests/replay/vectors.hpp"
 #include "tests/support/pin_soc.hpp"

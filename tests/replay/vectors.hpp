@@ -15,7 +15,7 @@
 #include <string>
 
 #include "cosim/fabric/fabric.hpp"
-#include "cosim/fabric/pin_list.hpp"
+#include "cosim/logic/pin_list.hpp"
 
 namespace armature::test {
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "cosim/fabric/pin_list.hpp"
+#include "cosim/logic/pin_list.hpp"
 #include "tests/rtl/arm_soc_fixture.hpp"
 
 namespace armature::test {

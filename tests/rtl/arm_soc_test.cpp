@@ -2,7 +2,7 @@
 // bus' standard cores. What a block does is the subject of its own tests.
 #include "controller/regs/encoder_regs.hpp"
 #include "controller/regs/pulse_train_regs.hpp"
-#include "cosim/fabric/pin_list.hpp"
+#include "cosim/logic/pin_list.hpp"
 #include "tests/rtl/arm_soc_fixture.hpp"
 
 namespace armature::test {

@@ -54,7 +54,7 @@ class Framegen(TreeTest):
         self.assertEqual((result.returncode, result.stderr), (0, ""))
 
     def test_an_edited_output_is_stale_until_generated_again(self):
-        for name, word in (("frame_table.hpp", "kServo"), ("PROTOCOL.md", "`jog_limit`")):
+        for name, word in (("protocol/frame_table.hpp", "kServo"), ("PROTOCOL.md", "`jog_limit`")):
             with self.subTest(name):
                 self.edit(FOLDER / name, word, word + "s")
                 result = framegen(self.root, "--check")

@@ -4,6 +4,7 @@ import pathlib
 import re
 import tempfile
 import unittest
+from collections import Counter
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^">]+)[">]', re.M)
@@ -43,8 +44,17 @@ TRAJECTORY = {
     "state": {"profile"},
     "path": {"profile"},
     "law": {"profile"},
-    "plan": {"profile", "state", "path", "law"},
-    "run": {"profile", "state", "path", "law", "plan"},
+    "joint": {"profile", "state", "path"},
+    "cartesian": {"profile", "state", "path", "law", "joint"},
+    "grid": {"profile", "law", "cartesian"},
+    "plan": {"path", "joint", "cartesian", "grid"},
+    "run": {"profile", "path", "law", "joint", "cartesian", "plan"},
+}
+# From the bytes of a frame to what the pendant may do with the arm.
+PENDANT = {
+    "protocol": set(),
+    "parts": {"protocol"},
+    "client": {"protocol", "parts"},
 }
 # What all languages share, and each language.
 LANGUAGE = {
@@ -72,61 +82,51 @@ JOB = {
 COSIM = {
     "time": set(),
     "text": set(),
+    "logic": set(),
+    "belt": set(),
     "net": {"text"},
+    "robot": {"text"},
     "poses": {"text"},
-    "scenario": {"text", "poses"},
-    "schema": {"text", "scenario"},
+    "programs": {"text", "poses"},
+    "fabric": {"time", "logic"},
+    "bus": {"time", "logic", "fabric"},
+    "soc": {"logic", "fabric", "bus"},
+    "cpu": {"bus"},
+    "plant": {"logic", "robot"},
+    "fault": {"time", "logic", "soc", "cpu", "plant"},
+    "check": {"logic", "bus", "plant"},
+    "serial": {"time", "text", "net"},
+    "pendant": {"time", "text", "net", "robot", "programs", "serial"},
+    "trace": {"time", "text"},
+    "scenario": {"text", "poses", "logic", "robot", "belt", "programs", "bus", "cpu", "fault", "serial", "pendant"},
+    "golden": {"time", "text", "trace", "scenario"},
+    "schema": {"text", "robot", "scenario"},
     "keydoc": {"text", "scenario", "schema", "report"},
-    "fabric": {"time", "scenario"},
-    "bus": {"time", "fabric", "scenario"},
-    "soc": {"fabric", "bus", "scenario"},
-    "cpu": {"bus", "scenario"},
-    "plant": {"fabric", "scenario"},
-    "fault": {"time", "fabric", "soc", "cpu", "plant", "scenario"},
-    "check": {"fabric", "plant", "scenario"},
-    "trace": {"time", "text", "scenario"},
-    "serial": {"time", "text", "net", "scenario"},
-    "pendant": {"time", "text", "net", "scenario", "serial"},
-    "report": {"time", "text", "scenario", "trace"},
+    "report": {"time", "text", "logic", "robot", "belt", "programs", "bus", "trace", "scenario", "golden"},
     "recording": {"text", "trace"},
     "plot": {"text", "recording"},
     "page": {"text", "recording"},
     "kernel": {
         "time",
         "text",
+        "belt",
+        "programs",
         "fabric",
+        "bus",
         "soc",
         "cpu",
         "plant",
         "fault",
         "check",
-        "scenario",
         "serial",
         "pendant",
         "trace",
-    },
-    "run": {"time", "text", "net", "soc", "kernel", "scenario", "trace", "serial", "report"},
-    "serve": {"text", "net", "scenario", "fabric", "soc"},
-    "cli": {
-        "time",
-        "text",
-        "net",
-        "poses",
         "scenario",
-        "schema",
-        "fabric",
-        "trace",
-        "serial",
-        "report",
-        "recording",
-        "pendant",
-        "plot",
-        "page",
-        "soc",
-        "run",
-        "serve",
     },
+    "run": {"time", "text", "net", "soc", "serial", "trace", "scenario", "golden", "report", "kernel"},
+    "serve": {"text", "net", "logic", "soc"},
 }
+COSIM["cli"] = COSIM.keys() - {"keydoc", "kernel", "bus", "cpu", "plant", "fault", "check"}
 # The rooms of cosim/report: what is measured, the list of facts, what [expect] says about them, how they are written.
 REPORT = {
     "measure": set(),
@@ -144,14 +144,19 @@ CLI = {
 # Folders whose own folders have rules.
 NESTED = {
     "controller/trajectory": TRAJECTORY,
+    "controller/pendant": PENDANT,
     "controller/language": LANGUAGE,
     "controller/language/gcode": GCODE,
     "controller/language/job": JOB,
     "cosim/report": REPORT,
     "cosim/cli": CLI,
 }
+MAX_SOURCES = 25  # of a folder of the product
 # What the plant, which sees pins and never registers, may include.
-PLANT = {"controller/base/", "cosim/plant/", "cosim/fabric/fabric.hpp", "cosim/scenario/scenario.hpp"}
+PLANT = {"controller/base/", "cosim/plant/", "cosim/logic/pins.hpp", "cosim/robot/robot_spec.hpp"}
+# Of the parts that a scenario describes, the scenario may include their descriptions only.
+DESCRIBED = {"bus", "cpu", "fault", "serial", "pendant"}
+DESCRIPTION = re.compile(r"_spec\.hpp$|/bus_error\.hpp$")
 # The libraries that the freestanding-capable controller may use.
 HOST_ONLY = re.compile(r"^(iostream|fstream|sstream|filesystem|thread|mutex|chrono|fmt/|spdlog/|boost/|toml)")
 
@@ -197,6 +202,11 @@ def violations(root):
                     found.append(f"{path.relative_to(root)}: cosim/{folder} must not include {name}")
             if name.startswith("tests/"):
                 found.append(f"{path.relative_to(root)}: the simulator must not include {name}")
+    for path in sources(root / "cosim" / "scenario"):
+        for name in includes(path):
+            parts = name.split("/")
+            if parts[0] == "cosim" and parts[1] in DESCRIBED and not DESCRIPTION.search(name):
+                found.append(f"{path.relative_to(root)}: the scenario knows the description of a part only, not {name}")
     for path in sources(root / "cosim" / "plant"):
         for name in includes(path):
             if name.split("/")[0] in {"controller", "cosim"} and not any(name.startswith(ok) for ok in PLANT):
@@ -226,6 +236,12 @@ class IncludeArrows(unittest.TestCase):
         folders = {p.name for p in (ROOT / "cosim").iterdir() if p.is_dir()}
         self.assertEqual(folders, set(COSIM))
 
+    def test_no_folder_has_more_sources_than_a_reader_can_hold(self):
+        sizes = Counter(
+            str(p.parent.relative_to(ROOT)) for part in ("controller", "cosim") for p in sources(ROOT / part)
+        )
+        self.assertEqual({folder: size for folder, size in sizes.items() if size > MAX_SOURCES}, {})
+
     def test_the_rules_have_no_cycle(self):
         for rules in (CONTROLLER, COSIM, *NESTED.values()):
             left = dict(rules)
@@ -238,7 +254,7 @@ class IncludeArrows(unittest.TestCase):
         cases = {
             "controller/base/a.hpp": '#include "controller/hal/register_bus.hpp"',
             "controller/motion/b.cpp": '#include "controller/activity/move_checks.hpp"',
-            "controller/trajectory/path/n.hpp": '#include "controller/trajectory/plan/joint_move.hpp"',
+            "controller/trajectory/path/n.hpp": '#include "controller/trajectory/joint/joint_move.hpp"',
             "controller/language/gcode/reader/s.cpp": '#include "controller/language/gcode/execute/executor.hpp"',
             "controller/motion/c.cpp": '#include "controller/regs/encoder_regs.hpp"',
             "controller/drivers/encoder.cpp": '#include "controller/drivers/axi_timer.hpp"',
@@ -247,6 +263,8 @@ class IncludeArrows(unittest.TestCase):
             "cosim/plant/f.cpp": '#include "controller/regs/encoder_regs.hpp"',
             "cosim/kernel/g.cpp": "#include <Varm_soc.h>",
             "cosim/scenario/i.cpp": '#include "cosim/trace/trace_row.hpp"',
+            "cosim/scenario/s.hpp": '#include "cosim/cpu/processor.hpp"',
+            "cosim/cpu/t.hpp": '#include "cosim/scenario/scenario.hpp"',
             "cosim/text/j.hpp": '#include "cosim/scenario/scenario.hpp"',
             "cosim/report/k.cpp": '#include "cosim/kernel/simulation.hpp"',
             "cosim/report/judge/o.cpp": '#include "cosim/report/format/junit.hpp"',

@@ -45,8 +45,8 @@ class Check(TreeTest):
             ("rtl/common/example_reg_types.svh", "example"),
             ("controller/regs/example_regs.hpp", "example"),
             ("rtl/common/example_soc_pins.svh", "door"),
-            ("cosim/fabric/pins.hpp", "door"),
-            ("cosim/fabric/pin_list.hpp", "door"),
+            ("cosim/logic/pins.hpp", "door"),
+            ("cosim/logic/pin_list.hpp", "door"),
             ("cosim/fabric/model_pins.hpp", "door"),
         ):
             with self.subTest(path):
@@ -71,9 +71,9 @@ class Check(TreeTest):
         self.assertEqual(reggen(self.root).returncode, 0)
         for path, text in (
             ("rtl/common/example_soc_pins.svh", "output logic        horn_o,"),
-            ("cosim/fabric/pins.hpp", "bool horn = false;"),
+            ("cosim/logic/pins.hpp", "bool horn = false;"),
             ("rtl/REGISTERS.md", "| horn_o"),
-            ("cosim/fabric/pin_list.hpp", '<&SocOutputs::horn>("horn_o", 1)'),
+            ("cosim/logic/pin_list.hpp", '<&SocOutputs::horn>("horn_o", 1)'),
             ("cosim/fabric/model_pins.hpp", "out.horn = model.horn_o != 0;"),
         ):
             self.assertIn(text, (self.root / path).read_text())
@@ -257,7 +257,7 @@ class Pins(unittest.TestCase):
 
     PROGRAM = """
         #include "cosim/fabric/model_pins.hpp"
-        #include "cosim/fabric/pin_list.hpp"
+        #include "cosim/logic/pin_list.hpp"
         #include <cassert>
         #include <type_traits>
         using namespace armature::cosim;

@@ -21,7 +21,7 @@ from table import MapError
 def outputs(root: Path) -> Outputs:
     frames = load(root)
     return Outputs(
-        {"controller/pendant/frame_table.hpp": emit_cpp.header(frames)},
+        {"controller/pendant/protocol/frame_table.hpp": emit_cpp.header(frames)},
         {"controller/pendant/PROTOCOL.md": emit_md.sections(frames)},
     )
 

@@ -35,8 +35,8 @@ def outputs(root: Path) -> Outputs:
         "rtl/soc/soc_map_pkg.sv": emit_sv.soc_package(soc),
         f"rtl/common/{soc.name}_pins.svh": emit_sv.pin_ports(soc),
         "controller/regs/soc_map.hpp": emit_cpp.soc_header(soc),
-        "cosim/fabric/pins.hpp": emit_pins_cpp.structs(soc),
-        "cosim/fabric/pin_list.hpp": emit_pins_cpp.table(soc),
+        "cosim/logic/pins.hpp": emit_pins_cpp.structs(soc),
+        "cosim/logic/pin_list.hpp": emit_pins_cpp.table(soc),
         "cosim/fabric/model_pins.hpp": emit_pins_cpp.wiring(soc),
         "rtl/REGISTERS.md": emit_md.tables(soc, blocks),
     }

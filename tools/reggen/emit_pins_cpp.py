@@ -70,9 +70,7 @@ def structs(soc: SocMap) -> str:
 
 def table(soc: SocMap) -> str:
     """pin_list.hpp"""
-    lines = _start(
-        soc, f"Every pin of {soc.name} in the order of its ports.", ['#include "cosim/fabric/pin_table.hpp"']
-    )
+    lines = _start(soc, f"Every pin of {soc.name} in the order of its ports.", ['#include "cosim/logic/pin_table.hpp"'])
     lines += ["// clang-format off", "inline constexpr Pin kPins[] = {"]
     for pin in soc.pins:
         make, struct = ("input_pin", "SocInputs") if pin.is_input else ("output_pin", "SocOutputs")
@@ -84,7 +82,7 @@ def wiring(soc: SocMap) -> str:
     """model_pins.hpp"""
     inputs, outputs = _split(soc)
     about = f"Copies levels to and from the ports of a verilated {soc.name}. Model: a class that Verilator generates."
-    lines = _start(soc, about, ["#include <cstdint>", "", '#include "cosim/fabric/pins.hpp"'])
+    lines = _start(soc, about, ["#include <cstdint>", "", '#include "cosim/logic/pins.hpp"'])
     lines += [
         "template <class Model>",
         "void drive_pins(Model& model, const SocInputs& in) {",

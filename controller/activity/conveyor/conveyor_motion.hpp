@@ -16,7 +16,7 @@
 #include "controller/kinematics/arm.hpp"
 #include "controller/kinematics/transform.hpp"
 #include "controller/robot/robot_model.hpp"
-#include "controller/trajectory/plan/cartesian_plan.hpp"
+#include "controller/trajectory/cartesian/cartesian_plan.hpp"
 #include "controller/trajectory/state/axis_follower.hpp"
 
 namespace armature {

@@ -13,7 +13,7 @@
 
 #include "controller/activity/conveyor/conveyor_motion.hpp"
 #include "controller/activity/conveyor/part_store.hpp"
-#include "controller/activity/plans/plan_outbox.hpp"
+#include "controller/activity/plans/stages/plan_outbox.hpp"
 #include "controller/base/axes.hpp"
 #include "controller/base/spsc_queue.hpp"
 #include "controller/base/units.hpp"
@@ -23,7 +23,7 @@
 #include "controller/message/move_refused.hpp"
 #include "controller/message/part_followed.hpp"
 #include "controller/robot/robot_model.hpp"
-#include "controller/trajectory/plan/cartesian_plan.hpp"
+#include "controller/trajectory/cartesian/cartesian_plan.hpp"
 
 namespace armature {
 

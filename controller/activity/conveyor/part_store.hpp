@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "controller/base/spsc_slot.hpp"
-#include "controller/trajectory/plan/cartesian_plan.hpp"
+#include "controller/trajectory/cartesian/cartesian_plan.hpp"
 #include "controller/trajectory/plan/plan.hpp"
 
 namespace armature {

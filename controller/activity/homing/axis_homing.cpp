@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "controller/base/timebase.hpp"
-#include "controller/trajectory/plan/axis_limits.hpp"
+#include "controller/trajectory/joint/axis_limits.hpp"
 #include "controller/trajectory/state/axis_reach.hpp"
 
 namespace armature {

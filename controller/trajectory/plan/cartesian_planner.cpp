@@ -5,10 +5,10 @@
 #include <optional>
 
 #include "controller/base/timebase.hpp"
-#include "controller/trajectory/plan/configuration_check.hpp"
-#include "controller/trajectory/plan/jerk_share.hpp"
-#include "controller/trajectory/plan/path_corners.hpp"
-#include "controller/trajectory/plan/path_layout.hpp"
+#include "controller/trajectory/cartesian/configuration_check.hpp"
+#include "controller/trajectory/cartesian/jerk_share.hpp"
+#include "controller/trajectory/cartesian/path_corners.hpp"
+#include "controller/trajectory/cartesian/path_layout.hpp"
 #include "controller/trajectory/plan/path_reach.hpp"
 #include "controller/trajectory/plan/rate_bend.hpp"
 

@@ -3,10 +3,10 @@
 #include <optional>
 
 #include "controller/base/timebase.hpp"
+#include "controller/trajectory/cartesian/path_corners.hpp"
+#include "controller/trajectory/cartesian/path_layout.hpp"
+#include "controller/trajectory/grid/tool_limits.hpp"
 #include "controller/trajectory/plan/cartesian_planner.hpp"
-#include "controller/trajectory/plan/path_corners.hpp"
-#include "controller/trajectory/plan/path_layout.hpp"
-#include "controller/trajectory/plan/tool_limits.hpp"
 
 namespace armature {
 namespace {

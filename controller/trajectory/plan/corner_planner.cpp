@@ -3,7 +3,7 @@
 #include <cassert>
 #include <cstddef>
 
-#include "controller/trajectory/plan/joint_passage.hpp"
+#include "controller/trajectory/joint/joint_passage.hpp"
 
 namespace armature {
 namespace {

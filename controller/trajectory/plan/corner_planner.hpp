@@ -10,10 +10,10 @@
 #include "controller/base/units.hpp"
 #include "controller/kinematics/arm.hpp"
 #include "controller/robot/robot_model.hpp"
-#include "controller/trajectory/plan/cartesian_plan.hpp"
-#include "controller/trajectory/plan/corner_search.hpp"
-#include "controller/trajectory/plan/joint_chain.hpp"
-#include "controller/trajectory/plan/joint_retarget.hpp"
+#include "controller/trajectory/cartesian/cartesian_plan.hpp"
+#include "controller/trajectory/joint/corner_search.hpp"
+#include "controller/trajectory/joint/joint_chain.hpp"
+#include "controller/trajectory/joint/joint_retarget.hpp"
 #include "controller/trajectory/plan/path_joint_corner.hpp"
 
 namespace armature {

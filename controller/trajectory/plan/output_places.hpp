@@ -5,10 +5,10 @@
 #include <optional>
 #include <span>
 
+#include "controller/trajectory/cartesian/cartesian_plan.hpp"
+#include "controller/trajectory/joint/joint_chain.hpp"
+#include "controller/trajectory/joint/joint_move.hpp"
 #include "controller/trajectory/path/path_output.hpp"
-#include "controller/trajectory/plan/cartesian_plan.hpp"
-#include "controller/trajectory/plan/joint_chain.hpp"
-#include "controller/trajectory/plan/joint_move.hpp"
 
 namespace armature {
 

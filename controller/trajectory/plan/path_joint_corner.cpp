@@ -8,8 +8,8 @@
 
 #include "controller/base/timebase.hpp"
 #include "controller/robot/axis_units.hpp"
-#include "controller/trajectory/plan/corner_search.hpp"
-#include "controller/trajectory/plan/joint_chain.hpp"
+#include "controller/trajectory/joint/corner_search.hpp"
+#include "controller/trajectory/joint/joint_chain.hpp"
 
 namespace armature {
 namespace {

@@ -20,9 +20,9 @@
 #include "controller/base/units.hpp"
 #include "controller/kinematics/arm.hpp"
 #include "controller/robot/robot_model.hpp"
-#include "controller/trajectory/plan/cartesian_plan.hpp"
-#include "controller/trajectory/plan/joint_retarget.hpp"
-#include "controller/trajectory/plan/path_cursor.hpp"
+#include "controller/trajectory/cartesian/cartesian_plan.hpp"
+#include "controller/trajectory/cartesian/path_cursor.hpp"
+#include "controller/trajectory/joint/joint_retarget.hpp"
 
 namespace armature {
 

@@ -6,9 +6,9 @@
 #include <span>
 
 #include "controller/kinematics/arm.hpp"
+#include "controller/trajectory/cartesian/cartesian_plan.hpp"
 #include "controller/trajectory/path/path_problem.hpp"
 #include "controller/trajectory/path/segment_request.hpp"
-#include "controller/trajectory/plan/cartesian_plan.hpp"
 
 namespace armature {
 

@@ -4,9 +4,9 @@
 #include <cstddef>
 
 #include "controller/base/units.hpp"
-#include "controller/trajectory/plan/cartesian_plan.hpp"
-#include "controller/trajectory/plan/joint_chain.hpp"
-#include "controller/trajectory/plan/joint_move.hpp"
+#include "controller/trajectory/cartesian/cartesian_plan.hpp"
+#include "controller/trajectory/joint/joint_chain.hpp"
+#include "controller/trajectory/joint/joint_move.hpp"
 
 namespace armature {
 

@@ -13,10 +13,10 @@
 
 #include "controller/base/tag.hpp"
 #include "controller/base/units.hpp"
+#include "controller/trajectory/cartesian/cartesian_plan.hpp"
 #include "controller/trajectory/path/path_output.hpp"
 #include "controller/trajectory/path/segment_request.hpp"
-#include "controller/trajectory/plan/cartesian_plan.hpp"
-#include "controller/trajectory/plan/timed_outputs.hpp"
+#include "controller/trajectory/path/timed_outputs.hpp"
 
 namespace armature {
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "controller/robot/robot_model.hpp"
-#include "controller/trajectory/plan/joint_chain.hpp"
+#include "controller/trajectory/joint/joint_chain.hpp"
 #include "controller/trajectory/plan/plan.hpp"
 
 namespace armature {

@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-#include "controller/trajectory/plan/cartesian_plan.hpp"
+#include "controller/trajectory/cartesian/cartesian_plan.hpp"
 
 namespace armature {
 

@@ -8,7 +8,7 @@
 #include "controller/base/units.hpp"
 #include "controller/kinematics/arm.hpp"
 #include "controller/robot/robot_model.hpp"
-#include "controller/trajectory/plan/jerk_share.hpp"
+#include "controller/trajectory/cartesian/jerk_share.hpp"
 #include "controller/trajectory/plan/plan.hpp"
 #include "controller/trajectory/run/path_clock.hpp"
 

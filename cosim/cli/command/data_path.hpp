@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cosim/scenario/search_path.hpp"
+#include "cosim/scenario/files/search_path.hpp"
 
 namespace armature::cosim {
 

@@ -11,11 +11,11 @@
 #include "cosim/cli/run/interrupt.hpp"
 #include "cosim/cli/run/scenario_run.hpp"
 #include "cosim/cli/run/temporary_folder.hpp"
+#include "cosim/golden/golden.hpp"
 #include "cosim/report/format/summary_text.hpp"
-#include "cosim/scenario/scenario_loader.hpp"
+#include "cosim/scenario/files/scenario_loader.hpp"
 #include "cosim/text/printable.hpp"
 #include "cosim/text/text_file.hpp"
-#include "cosim/trace/golden.hpp"
 
 namespace armature::cosim {
 namespace {

@@ -29,7 +29,7 @@
 #include "cosim/report/format/progress_bar.hpp"
 #include "cosim/report/format/summary_text.hpp"
 #include "cosim/run/run_folder.hpp"
-#include "cosim/scenario/scenario_loader.hpp"
+#include "cosim/scenario/files/scenario_loader.hpp"
 #include "cosim/text/printable.hpp"
 #include "cosim/text/text_file.hpp"
 

@@ -14,9 +14,9 @@
 #include "cosim/cli/command/command.hpp"
 #include "cosim/cli/options/output_files.hpp"
 #include "cosim/cli/run/report_file.hpp"
-#include "cosim/report/format/comparison_json.hpp"
+#include "cosim/report/format/json/comparison_json.hpp"
 #include "cosim/run/run_folder.hpp"
-#include "cosim/scenario/search_path.hpp"
+#include "cosim/scenario/files/search_path.hpp"
 #include "cosim/text/printable.hpp"
 
 namespace armature::cosim {

@@ -16,7 +16,7 @@
 #include "cosim/cli/commands/canon_text.hpp"
 #include "cosim/cli/options/action_argument.hpp"
 #include "cosim/cli/options/kinematics_io.hpp"
-#include "cosim/scenario/gcode_files.hpp"
+#include "cosim/programs/gcode_files.hpp"
 #include "cosim/text/input_error.hpp"
 #include "cosim/text/printable.hpp"
 

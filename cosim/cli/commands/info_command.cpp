@@ -8,7 +8,7 @@
 #include "controller/regs/soc_map.hpp"
 #include "cosim/cli/command/command.hpp"
 #include "cosim/cli/options/output_options.hpp"
-#include "cosim/scenario/logic_spec.hpp"
+#include "cosim/logic/logic_spec.hpp"
 #include "cosim/text/printable.hpp"
 #include "cosim/text/version.hpp"
 #include "cosim/time/clock.hpp"

@@ -11,8 +11,8 @@
 
 #include "cosim/cli/command/command.hpp"
 #include "cosim/cli/options/output_options.hpp"
-#include "cosim/scenario/robot_loader.hpp"
-#include "cosim/scenario/scenario_loader.hpp"
+#include "cosim/scenario/files/robot_loader.hpp"
+#include "cosim/scenario/files/scenario_loader.hpp"
 #include "cosim/text/printable.hpp"
 
 namespace armature::cosim {

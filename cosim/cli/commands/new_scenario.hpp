@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "cosim/scenario/robot_spec.hpp"
+#include "cosim/robot/robot_spec.hpp"
 
 namespace armature::cosim {
 

@@ -20,9 +20,9 @@
 #include "cosim/pendant/operator_link.hpp"
 #include "cosim/pendant/screen.hpp"
 #include "cosim/pendant/terminal.hpp"
-#include "cosim/scenario/pendant_file.hpp"
-#include "cosim/scenario/program_name.hpp"
-#include "cosim/scenario/robot_loader.hpp"
+#include "cosim/programs/program_name.hpp"
+#include "cosim/scenario/files/pendant_file.hpp"
+#include "cosim/scenario/files/robot_loader.hpp"
 #include "cosim/text/input_error.hpp"
 #include "cosim/text/text_file.hpp"
 

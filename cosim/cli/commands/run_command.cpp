@@ -19,9 +19,9 @@
 #include "cosim/cli/run/folder_run.hpp"
 #include "cosim/cli/run/interrupt.hpp"
 #include "cosim/cli/run/report_file.hpp"
-#include "cosim/report/format/summary_json.hpp"
+#include "cosim/report/format/json/summary_json.hpp"
 #include "cosim/report/format/summary_text.hpp"
-#include "cosim/scenario/scenario_loader.hpp"
+#include "cosim/scenario/files/scenario_loader.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/text/printable.hpp"
 

@@ -18,11 +18,11 @@
 #include "cosim/cli/run/folder_run.hpp"
 #include "cosim/cli/run/interrupt.hpp"
 #include "cosim/cli/run/report_file.hpp"
+#include "cosim/golden/golden.hpp"
 #include "cosim/report/format/summary_text.hpp"
-#include "cosim/scenario/scenario_loader.hpp"
+#include "cosim/scenario/files/scenario_loader.hpp"
 #include "cosim/text/printable.hpp"
 #include "cosim/text/text_file.hpp"
-#include "cosim/trace/golden.hpp"
 
 namespace armature::cosim {
 namespace {

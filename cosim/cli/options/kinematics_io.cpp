@@ -11,7 +11,7 @@
 #include "cosim/cli/options/output_files.hpp"
 #include "cosim/cli/options/value_kinds.hpp"
 #include "cosim/poses/number_csv.hpp"
-#include "cosim/scenario/robot_loader.hpp"
+#include "cosim/scenario/files/robot_loader.hpp"
 #include "cosim/scenario/tables/shared_keys.hpp"
 #include "cosim/scenario/to_controller.hpp"
 #include "cosim/text/names.hpp"

@@ -12,8 +12,8 @@
 #include "controller/base/angle_units.hpp"
 #include "controller/kinematics/arm.hpp"
 #include "cosim/poses/pose_frames.hpp"
-#include "cosim/scenario/robot_spec.hpp"
-#include "cosim/scenario/search_path.hpp"
+#include "cosim/robot/robot_spec.hpp"
+#include "cosim/scenario/files/search_path.hpp"
 
 namespace CLI {
 class App;

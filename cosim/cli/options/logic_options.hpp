@@ -3,7 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "cosim/scenario/logic_spec.hpp"
+#include "cosim/logic/logic_spec.hpp"
 
 namespace armature::cosim {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <system_error>
 
+#include "cosim/golden/golden.hpp"
 #include "cosim/text/input_error.hpp"
 #include "cosim/text/text_file.hpp"
-#include "cosim/trace/golden.hpp"
 
 namespace armature::cosim {
 namespace {

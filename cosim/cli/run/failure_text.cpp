@@ -5,11 +5,11 @@
 #include <utility>
 
 #include "cosim/fabric/fst_converter.hpp"
+#include "cosim/golden/golden.hpp"
 #include "cosim/text/number_text.hpp"
 #include "cosim/text/printable.hpp"
 #include "cosim/text/shell_text.hpp"
 #include "cosim/time/clock.hpp"
-#include "cosim/trace/golden.hpp"
 
 namespace armature::cosim {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "cosim/cli/options/serial_option.hpp"
 #include "cosim/cli/run/scenario_run.hpp"
-#include "cosim/report/format/summary_json.hpp"
+#include "cosim/report/format/json/summary_json.hpp"
 #include "cosim/run/run_folder.hpp"
 #include "cosim/text/text_file.hpp"
 

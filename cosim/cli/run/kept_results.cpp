@@ -3,7 +3,7 @@
 #include <array>
 #include <map>
 
-#include "cosim/report/format/summary_json.hpp"
+#include "cosim/report/format/json/summary_json.hpp"
 #include "cosim/run/run_folder.hpp"
 #include "cosim/text/text_file.hpp"
 

@@ -3,11 +3,11 @@
 #include <string>
 
 #include "cosim/cli/run/recorded_run.hpp"
+#include "cosim/golden/golden.hpp"
 #include "cosim/page/run_data.hpp"
 #include "cosim/page/serial_record.hpp"
 #include "cosim/run/run_folder.hpp"
 #include "cosim/text/text_file.hpp"
-#include "cosim/trace/golden.hpp"
 
 namespace armature::cosim {
 namespace {

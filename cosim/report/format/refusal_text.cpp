@@ -5,7 +5,7 @@
 #include "controller/base/angle_units.hpp"
 #include "controller/base/timebase.hpp"
 #include "controller/kinematics/ik_result.hpp"
-#include "controller/trajectory/plan/chain_law.hpp"
+#include "controller/trajectory/grid/chain_law.hpp"
 #include "cosim/text/names.hpp"
 
 namespace armature::cosim {

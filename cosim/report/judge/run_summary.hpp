@@ -9,16 +9,16 @@
 #include <vector>
 
 #include "controller/base/units.hpp"
+#include "cosim/golden/golden.hpp"
+#include "cosim/logic/logic_spec.hpp"
 #include "cosim/report/facts/fact.hpp"
 #include "cosim/report/judge/expect_failure.hpp"
 #include "cosim/report/judge/expect_result.hpp"
 #include "cosim/report/measure/run_facts.hpp"
-#include "cosim/scenario/input_file.hpp"
-#include "cosim/scenario/logic_spec.hpp"
-#include "cosim/scenario/robot_spec.hpp"
+#include "cosim/robot/robot_spec.hpp"
 #include "cosim/scenario/scenario.hpp"
+#include "cosim/text/input_file.hpp"
 #include "cosim/text/names.hpp"
-#include "cosim/trace/golden.hpp"
 
 namespace armature::cosim {
 

@@ -25,7 +25,7 @@
 #include "controller/message/move_started.hpp"
 #include "controller/trajectory/path/position_path.hpp"
 #include "cosim/report/measure/run_place.hpp"
-#include "cosim/scenario/robot_spec.hpp"
+#include "cosim/robot/robot_spec.hpp"
 #include "cosim/trace/trace_row.hpp"
 
 namespace armature::cosim {

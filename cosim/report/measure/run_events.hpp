@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "controller/message/event.hpp"
+#include "cosim/bus/bus_error.hpp"
 #include "cosim/report/measure/run_place.hpp"
-#include "cosim/scenario/bus_error.hpp"
 
 namespace armature::cosim {
 

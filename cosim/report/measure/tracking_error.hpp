@@ -13,9 +13,9 @@
 
 #include "controller/message/move_started.hpp"
 #include "controller/message/part_followed.hpp"
+#include "cosim/belt/belt_motion.hpp"
 #include "cosim/report/measure/path_error.hpp"
-#include "cosim/scenario/belt_motion.hpp"
-#include "cosim/scenario/robot_spec.hpp"
+#include "cosim/robot/robot_spec.hpp"
 #include "cosim/trace/trace_row.hpp"
 
 namespace armature::cosim {

@@ -20,7 +20,7 @@
 #include "cosim/scenario/keys/key_info.hpp"
 #include "cosim/scenario/keys/key_value.hpp"
 #include "cosim/scenario/keys/toml_text.hpp"
-#include "cosim/scenario/table_reader.hpp"
+#include "cosim/scenario/toml/table_reader.hpp"
 
 namespace armature::cosim {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "cosim/scenario/program_name.hpp"
+#include "cosim/programs/program_name.hpp"
 #include "cosim/scenario/scenario.hpp"
 
 namespace armature::cosim {

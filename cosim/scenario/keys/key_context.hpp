@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <string>
 
+#include "cosim/robot/robot_spec.hpp"
 #include "cosim/scenario/keys/key_info.hpp"
-#include "cosim/scenario/robot_spec.hpp"
 
 namespace armature::cosim {
 

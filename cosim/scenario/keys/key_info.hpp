@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "cosim/scenario/value_rule.hpp"
+#include "cosim/scenario/toml/value_rule.hpp"
 
 namespace armature::cosim {
 

@@ -7,7 +7,7 @@
 
 #include "cosim/scenario/keys/key_context.hpp"
 #include "cosim/scenario/keys/key_info.hpp"
-#include "cosim/scenario/table_reader.hpp"
+#include "cosim/scenario/toml/table_reader.hpp"
 
 namespace armature::cosim {
 

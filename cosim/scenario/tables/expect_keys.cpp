@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "cosim/scenario/bus_error.hpp"
+#include "cosim/bus/bus_error.hpp"
 #include "cosim/scenario/tables/shared_keys.hpp"
 #include "cosim/scenario/tables/tables.hpp"
 #include "cosim/text/names.hpp"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "controller/base/words.hpp"
-#include "cosim/scenario/fault_spec.hpp"
+#include "cosim/fault/fault_spec.hpp"
 #include "cosim/scenario/keys/key.hpp"
 #include "cosim/scenario/tables/shared_keys.hpp"
 #include "cosim/text/number_text.hpp"

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "controller/message/program_noted.hpp"
-#include "controller/pendant/frame_table.hpp"
-#include "cosim/scenario/program_name.hpp"
+#include "controller/pendant/protocol/frame_table.hpp"
+#include "cosim/programs/program_name.hpp"
 #include "cosim/scenario/tables/shared_keys.hpp"
 #include "cosim/scenario/tables/tables.hpp"
 #include "cosim/text/number_text.hpp"

@@ -5,7 +5,7 @@
 
 #include "controller/base/timebase.hpp"
 #include "controller/message/command.hpp"
-#include "cosim/scenario/program_name.hpp"
+#include "cosim/programs/program_name.hpp"
 #include "cosim/scenario/tables/shared_keys.hpp"
 #include "cosim/scenario/tables/tables.hpp"
 #include "cosim/text/number_text.hpp"

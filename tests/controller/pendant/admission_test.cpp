@@ -1,4 +1,4 @@
-#include "controller/pendant/admission.hpp"
+#include "controller/pendant/protocol/admission.hpp"
 
 #include <gtest/gtest.h>
 

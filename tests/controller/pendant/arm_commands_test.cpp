@@ -1,4 +1,4 @@
-#include "controller/pendant/arm_commands.hpp"
+#include "controller/pendant/parts/arm_commands.hpp"
 
 #include <gtest/gtest.h>
 

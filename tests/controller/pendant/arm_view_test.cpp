@@ -1,4 +1,4 @@
-#include "controller/pendant/arm_view.hpp"
+#include "controller/pendant/parts/arm_view.hpp"
 
 #include <gtest/gtest.h>
 

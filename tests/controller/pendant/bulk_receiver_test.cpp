@@ -1,4 +1,4 @@
-#include "controller/pendant/bulk_receiver.hpp"
+#include "controller/pendant/protocol/bulk_receiver.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "controller/pendant/command_link.hpp"
+#include "controller/pendant/protocol/command_link.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "controller/pendant/command_table.hpp"
+#include "controller/pendant/client/command_table.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "controller/pendant/crc32.hpp"
-#include "controller/pendant/crc8.hpp"
-#include "controller/pendant/frame.hpp"
+#include "controller/pendant/protocol/crc32.hpp"
+#include "controller/pendant/protocol/crc8.hpp"
+#include "controller/pendant/protocol/frame.hpp"
 
 namespace armature::pendant {
 namespace {

@@ -1,4 +1,4 @@
-#include "controller/pendant/drives_delay.hpp"
+#include "controller/pendant/parts/drives_delay.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "controller/pendant/estop_detector.hpp"
+#include "controller/pendant/parts/estop_detector.hpp"
 
 #include <gtest/gtest.h>
 

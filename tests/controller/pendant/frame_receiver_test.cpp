@@ -1,4 +1,4 @@
-#include "controller/pendant/frame_receiver.hpp"
+#include "controller/pendant/protocol/frame_receiver.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-#include "controller/pendant/frame.hpp"
+#include "controller/pendant/protocol/frame.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cstdint>
 
-#include "controller/pendant/crc8.hpp"
+#include "controller/pendant/protocol/crc8.hpp"
 #include "tests/controller/pendant/pendant_draws.hpp"
 
 namespace armature::pendant {

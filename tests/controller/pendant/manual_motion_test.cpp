@@ -1,4 +1,4 @@
-#include "controller/pendant/manual_motion.hpp"
+#include "controller/pendant/parts/manual_motion.hpp"
 
 #include <gtest/gtest.h>
 

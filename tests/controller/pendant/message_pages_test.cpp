@@ -1,4 +1,4 @@
-#include "controller/pendant/message_pages.hpp"
+#include "controller/pendant/protocol/message_pages.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <string>
 
 #include "controller/message/program_noted.hpp"
-#include "controller/pendant/frame.hpp"
+#include "controller/pendant/protocol/frame.hpp"
 
 namespace armature::pendant {
 namespace {

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "controller/language/program/program_client.hpp"
-#include "controller/pendant/pendant_parts.hpp"
+#include "controller/pendant/client/pendant_parts.hpp"
 #include "tests/controller/support/mock_register_bus.hpp"
 #include "tests/controller/support/path_rig.hpp"
 

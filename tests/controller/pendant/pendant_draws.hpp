@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "controller/pendant/frame.hpp"
+#include "controller/pendant/protocol/frame.hpp"
 #include "tests/support/split_mix.hpp"
 
 namespace armature::pendant::test {

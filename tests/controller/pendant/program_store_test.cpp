@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "controller/pendant/program_store.hpp"
+#include "controller/pendant/parts/program_store.hpp"
 #include "tests/controller/language/job/job_text.hpp"
 #include "tests/controller/support/path_rig.hpp"
 

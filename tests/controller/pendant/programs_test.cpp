@@ -1,4 +1,4 @@
-#include "controller/pendant/programs.hpp"
+#include "controller/pendant/parts/programs.hpp"
 
 #include <gtest/gtest.h>
 

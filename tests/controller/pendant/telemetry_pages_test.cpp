@@ -1,10 +1,10 @@
-#include "controller/pendant/telemetry_pages.hpp"
+#include "controller/pendant/parts/telemetry_pages.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cstdint>
 
-#include "controller/pendant/message_pages.hpp"
+#include "controller/pendant/protocol/message_pages.hpp"
 #include "tests/controller/pendant/parts_bench.hpp"
 
 namespace armature::pendant {

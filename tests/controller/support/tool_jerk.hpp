@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "controller/base/timebase.hpp"
-#include "controller/trajectory/plan/cartesian_plan.hpp"
+#include "controller/trajectory/cartesian/cartesian_plan.hpp"
 
 namespace armature::test {
 

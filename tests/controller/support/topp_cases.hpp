@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "controller/robot/axis_units.hpp"
-#include "controller/trajectory/plan/path_corners.hpp"
+#include "controller/trajectory/cartesian/path_corners.hpp"
 #include "tests/controller/support/law_oracle.hpp"
 #include "tests/controller/support/path_rig.hpp"
 

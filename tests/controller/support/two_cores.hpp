@@ -19,7 +19,7 @@
 #include "controller/base/timebase.hpp"
 #include "controller/command/dispatcher.hpp"
 #include "controller/language/program/program_client.hpp"
-#include "cosim/scenario/cpu_spec.hpp"
+#include "cosim/cpu/cpu_spec.hpp"
 
 namespace armature::test {
 

@@ -1,4 +1,4 @@
-#include "controller/trajectory/plan/cartesian_plan.hpp"
+#include "controller/trajectory/cartesian/cartesian_plan.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-#include "controller/trajectory/plan/joint_move.hpp"
+#include "controller/trajectory/joint/joint_move.hpp"
 #include "tests/controller/support/expect_reached.hpp"
 #include "tests/controller/support/path_rig.hpp"
 

@@ -1,5 +1,5 @@
 // The tilted and the upright tool of a five-axis arm on lines, arcs and rounded corners: looked at in the joints alone.
-#include "controller/trajectory/plan/five_axis_turning.hpp"
+#include "controller/trajectory/cartesian/five_axis_turning.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "controller/trajectory/plan/joint_move.hpp"
+#include "controller/trajectory/joint/joint_move.hpp"
 #include "tests/controller/support/path_rig.hpp"
 
 namespace armature {

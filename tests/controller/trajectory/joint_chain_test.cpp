@@ -1,5 +1,5 @@
 // Joint moves through points without a stop, judged by their set-points.
-#include "controller/trajectory/plan/joint_chain.hpp"
+#include "controller/trajectory/joint/joint_chain.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "controller/trajectory/plan/joint_move.hpp"
+#include "controller/trajectory/joint/joint_move.hpp"
 
 #include <gtest/gtest.h>
 

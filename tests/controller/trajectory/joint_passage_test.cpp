@@ -1,5 +1,5 @@
 // Joint moves between two states of motion, judged by sampling their laws, and by other planners where these apply.
-#include "controller/trajectory/plan/joint_passage.hpp"
+#include "controller/trajectory/joint/joint_passage.hpp"
 
 #include <gtest/gtest.h>
 

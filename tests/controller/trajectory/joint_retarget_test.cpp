@@ -1,4 +1,4 @@
-#include "controller/trajectory/plan/joint_retarget.hpp"
+#include "controller/trajectory/joint/joint_retarget.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 #include "controller/base/timebase.hpp"
 #include "controller/kinematics/arm.hpp"
-#include "controller/trajectory/plan/joint_move.hpp"
+#include "controller/trajectory/joint/joint_move.hpp"
 #include "controller/trajectory/run/sampler.hpp"
 #include "tests/controller/support/draws.hpp"
 #include "tests/controller/support/keeping_sampler.hpp"

@@ -1,4 +1,4 @@
-#include "controller/trajectory/plan/path_check.hpp"
+#include "controller/trajectory/cartesian/path_check.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The geometry of a chain: which joints are passed, and the shape of rounded corners.
-#include "controller/trajectory/plan/path_corners.hpp"
+#include "controller/trajectory/cartesian/path_corners.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-#include "controller/trajectory/plan/path_layout.hpp"
+#include "controller/trajectory/cartesian/path_layout.hpp"
 #include "tests/controller/support/path_rig.hpp"
 
 namespace armature {

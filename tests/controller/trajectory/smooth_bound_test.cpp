@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "controller/base/timebase.hpp"
-#include "controller/trajectory/plan/path_corners.hpp"
+#include "controller/trajectory/cartesian/path_corners.hpp"
 #include "controller/trajectory/profile/scurve.hpp"
 #include "tests/controller/support/path_rig.hpp"
 #include "tests/controller/support/tool_jerk.hpp"

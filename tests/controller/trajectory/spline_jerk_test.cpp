@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "controller/trajectory/plan/path_corners.hpp"
+#include "controller/trajectory/cartesian/path_corners.hpp"
 #include "tests/controller/support/draws.hpp"
 #include "tests/controller/support/path_rig.hpp"
 #include "tests/controller/support/random.hpp"

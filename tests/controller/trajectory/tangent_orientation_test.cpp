@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "controller/activity/plans/path_requests.hpp"
+#include "controller/activity/plans/stages/path_requests.hpp"
 #include "tests/controller/support/path_rig.hpp"
 #include "tests/controller/support/tool_jerk.hpp"
 

@@ -1,4 +1,4 @@
-#include "cosim/fabric/pin_table.hpp"
+#include "cosim/logic/pin_table.hpp"
 
 #include <gtest/gtest.h>
 

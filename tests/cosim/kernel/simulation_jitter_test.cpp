@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "cosim/kernel/scenario_soc.hpp"
 #include "cosim/kernel/simulation.hpp"
-#include "cosim/scenario/scenario_loader.hpp"
-#include "cosim/soc/make_soc.hpp"
+#include "cosim/scenario/files/scenario_loader.hpp"
 #include "tests/controller/support/draws.hpp"
 #include "tests/support/silent_listener.hpp"
 

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cosim/kernel/scenario_soc.hpp"
 #include "cosim/kernel/simulation.hpp"
 #include "cosim/report/measure/run_facts.hpp"
 #include "cosim/report/measure/tool_point.hpp"
-#include "cosim/soc/make_soc.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/trace/csv_writer.hpp"
 #include "tests/cosim/support/scenario_files.hpp"

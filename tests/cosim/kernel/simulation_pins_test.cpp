@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "cosim/kernel/scenario_soc.hpp"
 #include "cosim/kernel/simulation.hpp"
-#include "cosim/scenario/scenario_loader.hpp"
-#include "cosim/soc/make_soc.hpp"
+#include "cosim/scenario/files/scenario_loader.hpp"
 #include "cosim/time/clock.hpp"
 #include "tests/cosim/support/scenario_files.hpp"
 #include "tests/cosim/support/temp_folder.hpp"

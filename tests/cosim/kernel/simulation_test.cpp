@@ -12,8 +12,8 @@
 
 #include "cosim/fabric/fabric_wrapper.hpp"
 #include "cosim/fabric/verilated_fabric.hpp"
-#include "cosim/scenario/scenario_loader.hpp"
-#include "cosim/soc/make_soc.hpp"
+#include "cosim/kernel/scenario_soc.hpp"
+#include "cosim/scenario/files/scenario_loader.hpp"
 #include "cosim/time/clock.hpp"
 #include "tests/support/pin_soc.hpp"
 #include "tests/support/silent_listener.hpp"

@@ -9,8 +9,8 @@
 
 #include "controller/base/timebase.hpp"
 #include "controller/base/units.hpp"
-#include "controller/pendant/command_link.hpp"
-#include "controller/pendant/frame.hpp"
+#include "controller/pendant/protocol/command_link.hpp"
+#include "controller/pendant/protocol/frame.hpp"
 #include "cosim/serial/serial_peer.hpp"
 
 namespace armature::cosim::test {

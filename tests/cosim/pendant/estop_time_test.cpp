@@ -10,12 +10,12 @@
 #include <tuple>
 #include <vector>
 
-#include "controller/pendant/command_link.hpp"
-#include "controller/pendant/estop_detector.hpp"
-#include "controller/pendant/frame.hpp"
+#include "controller/pendant/parts/estop_detector.hpp"
+#include "controller/pendant/protocol/command_link.hpp"
+#include "controller/pendant/protocol/frame.hpp"
+#include "cosim/kernel/scenario_soc.hpp"
 #include "cosim/kernel/simulation.hpp"
-#include "cosim/scenario/scenario_loader.hpp"
-#include "cosim/soc/make_soc.hpp"
+#include "cosim/scenario/files/scenario_loader.hpp"
 #include "cosim/time/clock.hpp"
 #include "tests/cosim/pendant/blind_pendant.hpp"
 #include "tests/support/silent_listener.hpp"

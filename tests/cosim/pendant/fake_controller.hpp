@@ -8,12 +8,12 @@
 #include <string_view>
 #include <vector>
 
-#include "controller/pendant/bulk_receiver.hpp"
-#include "controller/pendant/command_link.hpp"
-#include "controller/pendant/estop_detector.hpp"
-#include "controller/pendant/frame.hpp"
-#include "controller/pendant/frame_receiver.hpp"
-#include "controller/pendant/message_pages.hpp"
+#include "controller/pendant/parts/estop_detector.hpp"
+#include "controller/pendant/protocol/bulk_receiver.hpp"
+#include "controller/pendant/protocol/command_link.hpp"
+#include "controller/pendant/protocol/frame.hpp"
+#include "controller/pendant/protocol/frame_receiver.hpp"
+#include "controller/pendant/protocol/message_pages.hpp"
 #include "cosim/pendant/operator_link.hpp"
 
 namespace armature::cosim::test {

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "controller/pendant/bulk_receiver.hpp"
-#include "controller/pendant/command_link.hpp"
-#include "controller/pendant/frame_receiver.hpp"
+#include "controller/pendant/protocol/bulk_receiver.hpp"
+#include "controller/pendant/protocol/command_link.hpp"
+#include "controller/pendant/protocol/frame_receiver.hpp"
 #include "cosim/pendant/bulk_sender.hpp"
 #include "cosim/pendant/command_sender.hpp"
 #include "tests/controller/support/draws.hpp"

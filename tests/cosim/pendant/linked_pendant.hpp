@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "controller/base/timebase.hpp"
-#include "controller/pendant/frame.hpp"
+#include "controller/pendant/protocol/frame.hpp"
 #include "cosim/pendant/operator_link.hpp"
 #include "cosim/serial/serial_peer.hpp"
 

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "controller/base/angle_units.hpp"
-#include "controller/pendant/frame.hpp"
+#include "controller/pendant/protocol/frame.hpp"
+#include "cosim/kernel/scenario_soc.hpp"
 #include "cosim/kernel/simulation.hpp"
-#include "cosim/scenario/scenario_loader.hpp"
-#include "cosim/soc/make_soc.hpp"
+#include "cosim/scenario/files/scenario_loader.hpp"
 #include "tests/cosim/pendant/blind_pendant.hpp"
 #include "tests/support/silent_listener.hpp"
 

@@ -13,10 +13,10 @@
 #include <utility>
 #include <vector>
 
-#include "controller/pendant/program_store.hpp"
+#include "controller/pendant/parts/program_store.hpp"
+#include "cosim/kernel/scenario_soc.hpp"
 #include "cosim/kernel/simulation.hpp"
-#include "cosim/scenario/scenario_loader.hpp"
-#include "cosim/soc/make_soc.hpp"
+#include "cosim/scenario/files/scenario_loader.hpp"
 #include "tests/cosim/pendant/linked_pendant.hpp"
 #include "tests/support/silent_listener.hpp"
 

@@ -1,4 +1,4 @@
-#include "cosim/report/format/arm_json.hpp"
+#include "cosim/report/format/json/arm_json.hpp"
 
 #include <gtest/gtest.h>
 

@@ -11,12 +11,12 @@
 #include <string>
 #include <vector>
 
-#include "cosim/report/format/summary_json.hpp"
+#include "cosim/golden/golden.hpp"
+#include "cosim/report/format/json/summary_json.hpp"
 #include "cosim/scenario/kinds.hpp"
 #include "cosim/serial/serial_log.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/trace/columns.hpp"
-#include "cosim/trace/golden.hpp"
 #include "cosim/trace/load_writer.hpp"
 #include "tests/cosim/support/temp_folder.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "cosim/report/format/summary_json.hpp"
+#include "cosim/report/format/json/summary_json.hpp"
 #include "cosim/report/format/summary_text.hpp"
 #include "cosim/report/judge/expect.hpp"
 #include "tests/cosim/support/run_facts_rows.hpp"

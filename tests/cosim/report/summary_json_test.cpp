@@ -1,5 +1,5 @@
 // summary.json.
-#include "cosim/report/format/summary_json.hpp"
+#include "cosim/report/format/json/summary_json.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

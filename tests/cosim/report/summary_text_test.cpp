@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "cosim/report/format/summary_json.hpp"
+#include "cosim/report/format/json/summary_json.hpp"
 #include "tests/cosim/support/sample_summary.hpp"
 
 namespace armature::cosim {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cosim/report/format/summary_json.hpp"
+#include "cosim/report/format/json/summary_json.hpp"
 #include "cosim/run/load_listener.hpp"
 #include "cosim/run/log_listener.hpp"
 #include "cosim/run/run.hpp"

@@ -1,4 +1,4 @@
-#include "cosim/scenario/points_file.hpp"
+#include "cosim/scenario/files/points_file.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cosim/scenario/command_names.hpp"
-#include "cosim/scenario/scenario_loader.hpp"
+#include "cosim/scenario/files/scenario_loader.hpp"
 #include "tests/cosim/support/temp_folder.hpp"
 
 namespace armature::cosim {

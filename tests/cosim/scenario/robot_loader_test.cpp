@@ -1,4 +1,4 @@
-#include "cosim/scenario/robot_loader.hpp"
+#include "cosim/scenario/files/robot_loader.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "controller/robot/axis_units.hpp"
-#include "cosim/scenario/robot_loader.hpp"
+#include "cosim/scenario/files/robot_loader.hpp"
 #include "cosim/scenario/to_controller.hpp"
 
 namespace armature::cosim {

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "cosim/scenario/robot_loader.hpp"
-#include "cosim/scenario/scenario_loader.hpp"
+#include "cosim/scenario/files/robot_loader.hpp"
+#include "cosim/scenario/files/scenario_loader.hpp"
 #include "tests/cosim/support/temp_folder.hpp"
 
 namespace armature::cosim {

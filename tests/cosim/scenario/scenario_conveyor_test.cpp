@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "controller/message/command.hpp"
-#include "cosim/scenario/belt_motion.hpp"
+#include "cosim/belt/belt_motion.hpp"
 #include "cosim/scenario/to_controller.hpp"
 #include "tests/cosim/support/scenario_files.hpp"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cosim/scenario/scenario_loader.hpp"
+#include "cosim/scenario/files/scenario_loader.hpp"
 #include "tests/cosim/support/scenario_files.hpp"
 #include "tests/cosim/support/temp_folder.hpp"
 

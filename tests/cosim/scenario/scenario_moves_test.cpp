@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cosim/scenario/scenario_loader.hpp"
+#include "cosim/scenario/files/scenario_loader.hpp"
 #include "tests/cosim/support/scenario_files.hpp"
 #include "tests/cosim/support/temp_folder.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "cosim/scenario/scenario_loader.hpp"
+#include "cosim/scenario/files/scenario_loader.hpp"
 #include "tests/cosim/support/scenario_files.hpp"
 
 namespace armature::cosim {

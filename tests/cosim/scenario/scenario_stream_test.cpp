@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cosim/scenario/stream_file.hpp"
+#include "cosim/scenario/files/stream_file.hpp"
 #include "cosim/scenario/to_controller.hpp"
 #include "tests/cosim/support/scenario_files.hpp"
 

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "cosim/scenario/robot_loader.hpp"
+#include "cosim/scenario/files/robot_loader.hpp"
 
 namespace armature::cosim {
 namespace {

@@ -1,4 +1,4 @@
-#include "cosim/scenario/value_rule.hpp"
+#include "cosim/scenario/toml/value_rule.hpp"
 
 #include <gtest/gtest.h>
 

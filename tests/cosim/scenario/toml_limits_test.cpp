@@ -1,5 +1,5 @@
 // TOML texts that are too large, too many or too deep, and those that only look so.
-#include "cosim/scenario/toml_limits.hpp"
+#include "cosim/scenario/toml/toml_limits.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,8 +7,8 @@
 
 #include <string>
 
-#include "cosim/scenario/robot_loader.hpp"
-#include "cosim/scenario/toml_document.hpp"
+#include "cosim/scenario/files/robot_loader.hpp"
+#include "cosim/scenario/toml/toml_document.hpp"
 #include "tests/cosim/support/scenario_files.hpp"
 
 namespace armature::cosim {

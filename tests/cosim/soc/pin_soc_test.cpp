@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "controller/regs/soc_map.hpp"
-#include "cosim/soc/make_soc.hpp"
+#include "cosim/kernel/scenario_soc.hpp"
 
 namespace armature::cosim {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "controller/base/units.hpp"
-#include "cosim/scenario/robot_loader.hpp"
+#include "cosim/scenario/files/robot_loader.hpp"
 #include "tests/controller/support/random.hpp"
 
 namespace armature::cosim::test {

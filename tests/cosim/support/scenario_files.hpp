@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "cosim/scenario/scenario_loader.hpp"
+#include "cosim/scenario/files/scenario_loader.hpp"
 #include "tests/cosim/support/temp_folder.hpp"
 
 namespace armature::cosim::test {

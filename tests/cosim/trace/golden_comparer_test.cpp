@@ -1,11 +1,11 @@
-#include "cosim/trace/golden_comparer.hpp"
+#include "cosim/golden/golden_comparer.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "cosim/scenario/scenario_loader.hpp"
+#include "cosim/scenario/files/scenario_loader.hpp"
 #include "cosim/time/clock.hpp"
 #include "cosim/trace/csv_writer.hpp"
 #include "tests/cosim/support/temp_folder.hpp"

@@ -1,9 +1,9 @@
-#include "cosim/trace/golden.hpp"
+#include "cosim/golden/golden.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cosim/scenario/scenario_loader.hpp"
+#include "cosim/scenario/files/scenario_loader.hpp"
 #include "tests/cosim/support/temp_folder.hpp"
 
 namespace armature::cosim {

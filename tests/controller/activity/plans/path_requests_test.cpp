@@ -1,4 +1,4 @@
-#include "controller/activity/plans/path_requests.hpp"
+#include "controller/activity/plans/stages/path_requests.hpp"
 
 #include <gtest/gtest.h>
 

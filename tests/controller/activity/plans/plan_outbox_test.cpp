@@ -1,4 +1,4 @@
-#include "controller/activity/plans/plan_outbox.hpp"
+#include "controller/activity/plans/stages/plan_outbox.hpp"
 
 #include <gtest/gtest.h>
 

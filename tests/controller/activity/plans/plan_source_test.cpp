@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "controller/base/timebase.hpp"
-#include "controller/trajectory/plan/joint_move.hpp"
+#include "controller/trajectory/joint/joint_move.hpp"
 #include "tests/controller/support/robots.hpp"
 
 namespace armature {

@@ -1,4 +1,4 @@
-#include "controller/activity/plans/planning_cost.hpp"
+#include "controller/activity/plans/stages/planning_cost.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 
 #include "controller/activity/plans/move_events.hpp"
 #include "controller/activity/plans/retarget_request.hpp"
-#include "controller/trajectory/plan/joint_move.hpp"
+#include "controller/trajectory/joint/joint_move.hpp"
 #include "tests/controller/activity/plans/plan_bench.hpp"
 
 namespace armature {

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-#include "cosim/fabric/pins.hpp"
+#include "cosim/logic/pins.hpp"
 
 namespace armature::cosim {
 

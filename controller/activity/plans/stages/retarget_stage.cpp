@@ -1,0 +1,47 @@
+#include "controller/activity/plans/stages/retarget_stage.hpp"
+
+namespace armature {
+
+std::optional<MoveRefused> RetargetStage::accept(const JointMove& move) noexcept {
+  if (owner_.has(ActivityId::kJog) || owner_.has(ActivityId::kHoming) || owner_.has(ActivityId::kConveyor)) {
+    return MoveRefused{.reason = Refusal::kNotReady};
+  }
+  if (next_) refuse_next(Refusal::kReplaced);
+  next_ = move;
+  number_ = queue_.count_replacing();
+  return std::nullopt;
+}
+
+void RetargetStage::send() noexcept {
+  if (!next_ || waits_ || !owner_.has(ActivityId::kPlans)) return;
+  owner_.feed(ActivityId::kPlans, RetargetRequest{.target = next_->target,
+                                                  .speed = next_->speed,
+                                                  .accel = next_->accel,
+                                                  .kind = next_->profile,
+                                                  .tag = next_->tag});
+  outbox_.count_retarget();
+  queue_.set_replaced_by(number_);
+  next_.reset();
+  waits_ = true;
+}
+
+void RetargetStage::on_answer(const Answer& answer) noexcept {
+  if (!waits_) return;
+  waits_ = false;
+  if (answer.kind == Answer::Kind::kRetargeted) owner_.replace(answer.position);
+}
+
+void RetargetStage::on_stop(StopKind how) noexcept {
+  if (how != StopKind::kHold) waits_ = false;
+}
+
+void RetargetStage::drop(Refusal why) noexcept {
+  if (next_ && why != Refusal::kReplaced) refuse_next(why);
+}
+
+void RetargetStage::refuse_next(Refusal why) noexcept {
+  events_.on_event(MoveRefused{.reason = why, .tag = next_->tag});
+  next_.reset();
+}
+
+}  // namespace armature

@@ -1,0 +1,13 @@
+// The arm of a run as data: limits of its axes, and its links for a picture.
+#pragma once
+
+#include "cosim/report/format/json/fact_json.hpp"
+#include "cosim/robot/robot_spec.hpp"
+#include "cosim/scenario/scenario.hpp"
+
+namespace armature::cosim {
+
+// `tool`: in the flange. Without kinematics in the robot file, `links` and `tool` are null.
+[[nodiscard]] Json arm_json(const RobotSpec& robot, const PoseSpec& tool);
+
+}  // namespace armature::cosim
