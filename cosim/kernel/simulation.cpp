@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "controller/base/timebase.hpp"
-#include "cosim/cpu/fiber_processor.hpp"
+#include "cosim/cpu/make_processor.hpp"
 #include "cosim/scenario/command_names.hpp"
 #include "cosim/scenario/program_start.hpp"
 #include "cosim/scenario/to_controller.hpp"
@@ -51,9 +51,9 @@ Simulation::Simulation(const Scenario& scenario, std::unique_ptr<Soc> soc, Simul
       software_{scenario},
       soc_{std::move(soc)},
       arm_program_{scenario.program ? std::make_unique<ArmProgram>(scenario) : nullptr},
-      processor_{std::make_unique<FiberProcessor>(
-          to_robot_model(scenario.robot), with_program(to_controller_config(scenario), scenario, arm_program_.get()),
-          scenario.cpu)},
+      processor_{make_processor(to_robot_model(scenario.robot),
+                                with_program(to_controller_config(scenario), scenario, arm_program_.get()),
+                                scenario.cpu)},
       host_{processor_->memory()},
       plant_{scenario.robot, drop_out(scenario), scenario.unreferenced_start_deg.value_or(PerAxis<double>{})},
       conservation_{

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "cosim/plant/counts_per_rev.hpp"
-#include "cosim/plant/independent_axes.hpp"
+#include "cosim/plant/make_mechanics.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -35,7 +35,7 @@ constexpr Cycles next_grid_cycle(Cycles now) {
 }  // namespace
 
 Plant::Plant(const RobotSpec& robot, std::optional<Cycles> drop_out, const PerAxis<double>& start_deg)
-    : Plant{robot, std::make_unique<IndependentAxes>(robot), drop_out, start_deg} {}
+    : Plant{robot, make_mechanics(robot), drop_out, start_deg} {}
 
 Plant::Plant(const RobotSpec& robot, std::unique_ptr<Mechanics> mechanics, std::optional<Cycles> drop_out,
              const PerAxis<double>& start_deg)
