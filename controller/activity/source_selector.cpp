@@ -19,7 +19,7 @@ const SetPoint& SourceSelector::advance(Ticks tick) noexcept {
   SetPoint& next = owner_->advance(tick, control);
   last_ = &next;
   next.wake = next.wake || channel_.loop.wake_each_tick.load(std::memory_order_relaxed);
-  next.stopped = next.stopped || std::exchange(stands_, false);
+  next.stopped = next.stopped || std::exchange(late_stop_, false);
   if (owner_ != &own_.plans && owner_->over()) {
     next.stopped = true;
     give_back_to_plans(next.position);
@@ -30,7 +30,7 @@ const SetPoint& SourceSelector::advance(Ticks tick) noexcept {
 void SourceSelector::read_requests(Ticks tick) noexcept {
   for (const Request* next = channel_.requests.front(); next != nullptr; next = channel_.requests.front()) {
     channel_.loop.number = next->number;
-    stands_ = !give(*next, tick) || stands_;
+    late_stop_ = !give(*next, tick) || late_stop_;
     channel_.requests.drop_front();
   }
 }

@@ -53,7 +53,7 @@ class SourceSelector final : public SetPointSource {
   Sources own_;
   std::array<ActivitySource*, kActivities> sources_ = own_.all();
   ActivitySource* owner_ = &own_.plans;
-  bool stands_ = false;  // a stop came too late: core 1 waits for the answer
+  bool late_stop_ = false;  // a stop came too late: core 1 waits for the answer
 };
 
 }  // namespace armature

@@ -46,7 +46,7 @@ std::string describe(const InputViolation& violation) {
 int StepInput::update(Cycles now, bool step, bool dir, bool checked) {
   if (dir != dir_) {
     // While step is high, or falls together with dir, no hold time has passed.
-    const Cycles held = step_ ? Cycles{0} : now - fell_;
+    const Cycles held = step_ ? Cycles{0} : now - last_fall_;
     if (checked) require(now, held, InputRule::kDirHold, timing_.dir_hold);
     dir_ = dir;
     turned_ = now;
@@ -54,15 +54,15 @@ int StepInput::update(Cycles now, bool step, bool dir, bool checked) {
   if (step == step_) return 0;
   step_ = step;
   if (!step) {
-    if (checked) require(now, now - rose_, InputRule::kStepHigh, timing_.min_high);
-    fell_ = now;
+    if (checked) require(now, now - last_rise_, InputRule::kStepHigh, timing_.min_high);
+    last_fall_ = now;
     return 0;
   }
   if (checked) {
-    require(now, now - fell_, InputRule::kStepLow, timing_.min_low);
+    require(now, now - last_fall_, InputRule::kStepLow, timing_.min_low);
     require(now, now - turned_, InputRule::kDirSetup, timing_.dir_setup);
   }
-  rose_ = now;
+  last_rise_ = now;
   return dir == kDirForward ? +1 : -1;
 }
 

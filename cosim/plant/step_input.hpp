@@ -60,8 +60,8 @@ class StepInput {
   bool step_ = false;
   bool dir_ = false;
   // Long before the start of the run, and far from overflow.
-  Cycles rose_{-(std::int64_t{1} << 60)};
-  Cycles fell_{-(std::int64_t{1} << 60)};
+  Cycles last_rise_{-(std::int64_t{1} << 60)};
+  Cycles last_fall_{-(std::int64_t{1} << 60)};
   Cycles turned_{-(std::int64_t{1} << 60)};
   std::optional<InputViolation> violation_;
 };

@@ -7,7 +7,7 @@
 namespace armature::cosim {
 
 void JobCheck::load(const ProgramFile& file) {
-  good_ = loader_->load(file.file, file.text) && good_;
+  accepted_ = loader_->load(file.file, file.text) && accepted_;
 }
 
 std::vector<std::string> JobCheck::new_missing_jobs() {
@@ -25,7 +25,7 @@ std::vector<std::string> JobCheck::new_missing_jobs() {
 }
 
 void JobCheck::finish(std::vector<Problem>& all) {
-  if (good_) static_cast<void>(loader_->link());  // otherwise jobs with errors are missing
+  if (accepted_) static_cast<void>(loader_->link());  // otherwise jobs with errors are missing
   std::move(problems_.all.begin(), problems_.all.end(), std::back_inserter(all));
   problems_.all.clear();
 }

@@ -35,7 +35,7 @@ class JobCheck {
   std::unique_ptr<job::Loader> loader_ = std::make_unique<job::Loader>(*memory_, problems_);
   std::size_t records_ = 0;  // that were searched for calls
   std::set<std::string> asked_for_;
-  bool good_ = true;
+  bool accepted_ = true;
 };
 
 }  // namespace armature::cosim

@@ -37,7 +37,7 @@ void AxisHoming::begin(Radians position) noexcept {
   ticks_ = 0;
   phase_ = Phase::kFirst;
   how_ = HomingEnd::kStop;
-  met_ = HomingSwitch::kNone;
+  reached_switch_ = HomingSwitch::kNone;
   edge_to_index_ = shift_ = Counts{};
 }
 
@@ -58,7 +58,7 @@ void AxisHoming::react(const HomingSensors& sensors) noexcept {
         meet(HomingSwitch::kHome);
         return brake_before(Phase::kLeave);
       }
-      if (limit_ahead(sensors) && met_ == HomingSwitch::kNone) {
+      if (limit_ahead(sensors) && reached_switch_ == HomingSwitch::kNone) {
         meet(HomingSwitch::kLimit);
         return brake_before(Phase::kBackOff);
       }
@@ -95,7 +95,7 @@ void AxisHoming::react(const HomingSensors& sensors) noexcept {
 }
 
 void AxisHoming::meet(HomingSwitch what) noexcept {
-  if (met_ == HomingSwitch::kNone) met_ = what;
+  if (reached_switch_ == HomingSwitch::kNone) reached_switch_ = what;
 }
 
 void AxisHoming::begin_phase(Phase phase) noexcept {

@@ -55,7 +55,7 @@ class AxisHoming {
 
   // Valid when over().
   [[nodiscard]] HomingEnd how() const noexcept { return how_; }
-  [[nodiscard]] HomingSwitch met() const noexcept { return met_; }
+  [[nodiscard]] HomingSwitch met() const noexcept { return reached_switch_; }
   [[nodiscard]] Counts edge_to_index() const noexcept { return edge_to_index_; }
   // To be added to the counts of the encoder.
   [[nodiscard]] Counts shift() const noexcept { return shift_; }
@@ -92,7 +92,7 @@ class AxisHoming {
   std::int64_t still_ticks_ = 0;
   Counts edge_{};
   HomingEnd how_ = HomingEnd::kStop;
-  HomingSwitch met_ = HomingSwitch::kNone;
+  HomingSwitch reached_switch_ = HomingSwitch::kNone;
   Counts edge_to_index_{};
   Counts shift_{};
 };

@@ -29,7 +29,7 @@ class PathPins {
     executed_ -= static_cast<double>(window.origin.value());
   }
   // Nothing more is written.
-  void cancel() noexcept { soon_.count = later_.count = 0; }
+  void cancel() noexcept { next_tick_.count = tick_after_next_.count = 0; }
 
   // Call at the start of each tick: those of next() have been written. Reports them.
   void written(Ticks tick, EventListener& events) noexcept;
@@ -45,9 +45,9 @@ class PathPins {
     std::size_t count = 0;
   };
 
-  std::size_t next_ = 0;   // of the outputs of the plan
-  double executed_ = 0.0;  // ticks of the plan, up to the last set-point
-  List soon_{}, later_{};  // to be written at the start of the next tick and of the one after
+  std::size_t next_ = 0;                  // of the outputs of the plan
+  double executed_ = 0.0;                 // ticks of the plan, up to the last set-point
+  List next_tick_{}, tick_after_next_{};  // to be written at the start of the next tick and of the one after
 };
 
 }  // namespace armature

@@ -43,7 +43,7 @@ bool SmoothLaw::begin(SpeedLaw& law) noexcept {
     return false;
   }
   stage_ = Stage::kSearch;
-  tried_ = in_vain_ = 0;
+  tries_ = tries_without_gain_ = 0;
   plan(law);
   return true;
 }
@@ -124,7 +124,7 @@ SmoothLaw::Progress SmoothLaw::work(SpeedLaw& law, std::size_t intervals) noexce
 }
 
 void SmoothLaw::measure(const SpeedLaw& law) noexcept {
-  ++in_vain_;
+  ++tries_without_gain_;
   each_run(table_, [&](std::size_t index, const TableRun& motion) {
     Run& run = runs_[index];
     if (!run.smooth) return;
@@ -132,27 +132,27 @@ void SmoothLaw::measure(const SpeedLaw& law) noexcept {
     run.time_s = table_[motion.last].t_s - table_[motion.first].t_s + run.tau_s;
     for (std::size_t i = 0; i < plateaus_.size(); ++i) run.time_s += plateaus_[i].longer_s;
     if (run.best_time_s > 0.0 && run.best_time_s <= run.time_s) return;
-    in_vain_ = 0;
+    tries_without_gain_ = 0;
     run.best_time_s = run.time_s;
     run.best_tau_s = run.tau_s;
   });
 }
 
 void SmoothLaw::try_next(SpeedLaw& law) noexcept {
-  ++tried_;
-  if (tried_ < kCoarseSteps && in_vain_ >= kInVain) tried_ = kCoarseSteps;
+  ++tries_;
+  if (tries_ < kCoarseSteps && tries_without_gain_ >= kInVain) tries_ = kCoarseSteps;
   for (std::size_t i = 0; i < count_; ++i) {
     Run& run = runs_[i];
     if (!run.smooth) continue;
-    if (tried_ >= kSteps) {
+    if (tries_ >= kSteps) {
       run.tau_s = seconds(whole_ticks(run.best_tau_s));
     } else {
-      run.tau_s = tried_ < kCoarseSteps ? run.tau_s * kCoarse
-                                        : run.best_tau_s * kFine[static_cast<std::size_t>(tried_ - kCoarseSteps)];
+      run.tau_s = tries_ < kCoarseSteps ? run.tau_s * kCoarse
+                                        : run.best_tau_s * kFine[static_cast<std::size_t>(tries_ - kCoarseSteps)];
     }
     run.tau_s = std::max(run.tau_s, kLeastTau_s);
   }
-  if (tried_ >= kSteps) stage_ = Stage::kShape;
+  if (tries_ >= kSteps) stage_ = Stage::kShape;
   rounds_ = 0;
   plan(law);
 }

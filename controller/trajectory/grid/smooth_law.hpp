@@ -81,8 +81,8 @@ class SmoothLaw {
   Stage stage_ = Stage::kDone;
   std::array<Run, kMaxRuns> runs_{};
   std::size_t count_ = 0;
-  int tried_ = 0, rounds_ = 0;
-  int in_vain_ = 0;  // tries since the last better one
+  int tries_ = 0, rounds_ = 0;
+  int tries_without_gain_ = 0;  // tries since the last better one
   int cost_ = 0;
   bool extended_ = false;
   Ticks tau_{};        // of all motions of an extended plan

@@ -38,7 +38,7 @@ AxisPassage::AxisPassage(ProfileKind kind, const AxisState& start, const AxisSta
                          const TimeLawLimits& limits) noexcept
     : rules_{rules_of(kind)},
       limits_{limits},
-      stays_{start.at_rest() && end.at_rest() && start.position == end.position},
+      at_rest_{start.at_rest() && end.at_rest() && start.position == end.position},
       start_{rules_, start, limits},
       end_{rules_, reversed(end), limits},
       first_velocities_{released(kind, start_.state, limits), -released(kind, end_.state, limits)} {}
@@ -112,7 +112,7 @@ PhaseLaw AxisPassage::law_of(double velocity, double constant_s) const noexcept 
 }
 
 double AxisPassage::shortest_s() const noexcept {
-  if (stays_) return 0.0;
+  if (at_rest_) return 0.0;
   double shortest_s = std::numeric_limits<double>::infinity();
   for (const double velocity : first_velocities_) {
     const Changes first = changes(velocity);
@@ -129,7 +129,7 @@ double AxisPassage::shortest_s() const noexcept {
 }
 
 bool AxisPassage::motion(double duration_s, PhaseLaw& law) const noexcept {
-  if (stays_) {
+  if (at_rest_) {
     law = PhaseLaw{start_.given};
     return true;
   }

@@ -55,7 +55,7 @@ class AxisPassage {
 
   const ReachRules& rules_;
   TimeLawLimits limits_;
-  bool stays_;  // rests where it is
+  bool at_rest_;  // rests where it is
   Side start_;
   Side end_;  // in reversed time
   // Constant velocities whose changes take little time.

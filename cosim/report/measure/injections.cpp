@@ -54,12 +54,12 @@ void InjectionMeter::count_lost_pulses(const TraceRow& row) {
 }
 
 void InjectionMeter::add(const CommandSpec& given) {
-  if (std::holds_alternative<WaitDinSpec>(given.kind)) waits_.push_back(given.index);
+  if (std::holds_alternative<WaitDinSpec>(given.kind)) wait_tags_.push_back(given.index);
 }
 
 void InjectionMeter::add(const IoDone& done, Cycles at) {
   const std::optional<std::uint32_t> index = move_index(done.tag);
-  if (!index || std::ranges::find(waits_, *index) == waits_.end()) return;
+  if (!index || std::ranges::find(wait_tags_, *index) == wait_tags_.end()) return;
   GivenInput* const input = not_accepted(done.pin);
   if (input == nullptr || input->spec.level != done.level) return;
   input->accepted_by = *index;

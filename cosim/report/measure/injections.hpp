@@ -69,8 +69,8 @@ class InjectionMeter {
 
   std::vector<InjectedFault> faults_;
   std::vector<GivenInput> inputs_;
-  std::vector<std::uint32_t> waits_;  // tags of the wait_din commands of the scenario
-  std::int64_t underruns_ = 0;        // in all
+  std::vector<std::uint32_t> wait_tags_;  // tags of the wait_din commands of the scenario
+  std::int64_t underruns_ = 0;            // in all
   std::uint8_t servo_on_ = 0;
 };
 

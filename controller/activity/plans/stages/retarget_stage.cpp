@@ -13,7 +13,7 @@ std::optional<MoveRefused> RetargetStage::accept(const JointMove& move) noexcept
 }
 
 void RetargetStage::send() noexcept {
-  if (!next_ || waits_ || !owner_.has(ActivityId::kPlans)) return;
+  if (!next_ || waiting_ || !owner_.has(ActivityId::kPlans)) return;
   owner_.feed(ActivityId::kPlans, RetargetRequest{.target = next_->target,
                                                   .speed = next_->speed,
                                                   .accel = next_->accel,
@@ -22,17 +22,17 @@ void RetargetStage::send() noexcept {
   outbox_.count_retarget();
   queue_.set_replaced_by(number_);
   next_.reset();
-  waits_ = true;
+  waiting_ = true;
 }
 
 void RetargetStage::on_answer(const Answer& answer) noexcept {
-  if (!waits_) return;
-  waits_ = false;
+  if (!waiting_) return;
+  waiting_ = false;
   if (answer.kind == Answer::Kind::kRetargeted) owner_.replace(answer.position);
 }
 
 void RetargetStage::on_stop(StopKind how) noexcept {
-  if (how != StopKind::kHold) waits_ = false;
+  if (how != StopKind::kHold) waiting_ = false;
 }
 
 void RetargetStage::drop(Refusal why) noexcept {

@@ -22,18 +22,18 @@ class RetargetStage final : public Activity {
       : owner_{owner}, queue_{queue}, outbox_{outbox}, events_{events} {}
 
   // Core 0 has not answered.
-  [[nodiscard]] bool waits() const noexcept { return waits_; }
+  [[nodiscard]] bool waits() const noexcept { return waiting_; }
   // Accepts a valid move; it replaces one that was not sent yet.
   [[nodiscard]] std::optional<MoveRefused> accept(const JointMove& move) noexcept;
   // Sends the latest one while plans have the arm.
   void send() noexcept;
 
   // Activity. After a stop, a rest and a fault an answer that comes later has no effect.
-  [[nodiscard]] bool idle() const noexcept override { return !waits_; }
+  [[nodiscard]] bool idle() const noexcept override { return !waiting_; }
   void on_stop(StopKind how) noexcept override;
   void drop(Refusal why) noexcept override;
   void on_answer(const Answer& answer) noexcept override;
-  void on_rest() noexcept override { waits_ = false; }
+  void on_rest() noexcept override { waiting_ = false; }
 
  private:
   void refuse_next(Refusal why) noexcept;
@@ -44,7 +44,7 @@ class RetargetStage final : public Activity {
   EventListener& events_;
   std::optional<JointMove> next_{};  // to be sent
   std::uint32_t number_ = 0;         // of the latest one, see MoveQueue
-  bool waits_ = false;
+  bool waiting_ = false;
 };
 
 }  // namespace armature

@@ -43,7 +43,7 @@ void ReachCheck::begin(const JointAngles& joints) noexcept {
   joints_ = joints;
   base_T_tool_ = setup_.cell.arm.forward(joints) * setup_.cell.flange_T_tool;
   sample_ = samples_ = 0;
-  beyond_.reset();
+  reach_problem_.reset();
 }
 
 void ReachCheck::add(const CartesianMove& move) noexcept {
@@ -91,15 +91,15 @@ std::optional<ReachCheck::Problem> ReachCheck::work(int max_samples) noexcept {
     const IkTracking found = setup_.cell.arm.track_keeping_elbow(base_T_tool * tool_T_flange, joints_);
     if (found.status == IkStatus::kUnreachable && found.found) {
       // The rest of the move tells how far it leaves the reach.
-      const double before_mm = beyond_ ? beyond_->margin_mm : 0.0;
-      beyond_ = Problem{.status = found.status, .margin_mm = std::max(before_mm, found.margin_mm)};
-    } else if (!solved(found.status) && !beyond_) {
+      const double before_mm = reach_problem_ ? reach_problem_->margin_mm : 0.0;
+      reach_problem_ = Problem{.status = found.status, .margin_mm = std::max(before_mm, found.margin_mm)};
+    } else if (!solved(found.status) && !reach_problem_) {
       const double angle_rad = found.axis == 0 ? 0.0 : found.joints[found.axis - 1U].value();
       return Problem{.status = found.status, .axis = found.axis, .angle_rad = angle_rad, .margin_mm = found.margin_mm};
     }
     if (found.found) joints_ = found.joints;
     if (busy()) continue;
-    if (beyond_) return std::exchange(beyond_, std::nullopt);
+    if (reach_problem_) return std::exchange(reach_problem_, std::nullopt);
     base_T_tool_ = base_T_tool;
   }
   return std::nullopt;

@@ -45,8 +45,8 @@ class ReachCheck {
   const MotionSetup& setup_;
   ArmPlane plane_;
   JointAngles joints_{};
-  std::optional<Problem> beyond_;  // the move leaves the reach
-  Transform base_T_tool_{};        // at the start of the move
+  std::optional<Problem> reach_problem_;  // the move leaves the reach
+  Transform base_T_tool_{};               // at the start of the move
   Transform frame_T_from_{};
   CartesianMove move_{};
   int sample_ = 0;

@@ -22,7 +22,7 @@ bool Flow::jump(Step& step, OperandReader& operands) noexcept {
   if (!operands.is(OperandKind::kJob)) return jump_to_label(step, operands);
   const auto to = static_cast<std::size_t>(operands.here().number);
   variables_.leave();
-  here_ = next_ = {to, 0};  // the alarm of a job whose variables have no room is one of its first line
+  current_ = next_ = {to, 0};  // the alarm of a job whose variables have no room is one of its first line
   return step.check(variables_.enter(memory_.jobs[to]));
 }
 

@@ -23,9 +23,11 @@ class Flow {
   // The record here is executed: to the one that it has selected, by default the next one.
   void advance() noexcept { stand_at(next_); }
 
-  [[nodiscard]] std::size_t job() const noexcept { return here_.job; }
-  [[nodiscard]] std::uint16_t at() const noexcept { return here_.record; }
-  [[nodiscard]] std::span<const Record> records() const noexcept { return memory_.records_of(memory_.jobs[here_.job]); }
+  [[nodiscard]] std::size_t job() const noexcept { return current_.job; }
+  [[nodiscard]] std::uint16_t at() const noexcept { return current_.record; }
+  [[nodiscard]] std::span<const Record> records() const noexcept {
+    return memory_.records_of(memory_.jobs[current_.job]);
+  }
 
   // Instructions. False: the step says why the record here is not executed.
   [[nodiscard]] bool jump(Step& step, OperandReader& operands) noexcept;
@@ -59,11 +61,11 @@ class Flow {
   };
 
   void stand_at(Point point) noexcept {
-    here_ = point;
+    current_ = point;
     go_to(point.record + 1U);
   }
   // Within the job.
-  void go_to(std::size_t record) noexcept { next_ = {here_.job, static_cast<std::uint16_t>(record)}; }
+  void go_to(std::size_t record) noexcept { next_ = {current_.job, static_cast<std::uint16_t>(record)}; }
   [[nodiscard]] bool jump_to_label(Step& step, OperandReader& operands) noexcept;
   [[nodiscard]] bool read_arguments(Step& step, OperandReader& operands, Call& call) noexcept;
   // FOR, whose record is `at`: sets the variable, or adds the step to it.
@@ -71,7 +73,7 @@ class Flow {
 
   const ProgramMemory& memory_;
   Variables& variables_;
-  Point here_{}, next_{};
+  Point current_{}, next_{};
   std::array<Call, Variables::kMaxCalls + 1> calls_{};
   std::size_t depth_ = 0;  // of calls_; 1: the first job
 };

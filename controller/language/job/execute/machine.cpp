@@ -11,7 +11,7 @@ void Machine::select(std::size_t job, std::uint32_t line) noexcept {
 
 void Machine::start() noexcept {
   alarm_ = parts_.start(first_job_, first_line_);
-  line_noted_ = pause_when_done_ = paused_here_ = waits_for_time_ = false;
+  line_noted_ = pause_when_done_ = paused_here_ = timed_wait_ = false;
 }
 
 bool Machine::select_line(std::uint32_t line) noexcept {
@@ -31,7 +31,7 @@ Step Machine::step_here(ProgramPort& port) const noexcept {
 }
 
 Interpreter::Progress Machine::step(ProgramPort& port) noexcept {
-  waits_for_time_ = false;
+  timed_wait_ = false;
   if (pause_when_done_) {
     if (!port.done()) return Progress::kWaiting;
     pause_when_done_ = false;
@@ -54,7 +54,7 @@ Interpreter::Progress Machine::step(ProgramPort& port) noexcept {
     finish_record(step);
     return Progress::kWorking;
   }
-  waits_for_time_ = step.waits_for_time();
+  timed_wait_ = step.waits_for_time();
   alarm_ = step.alarm();
   if (alarm_ != Alarm::kNone && alarm_ != Alarm::kUser) {
     const Step failed = step_here(port);

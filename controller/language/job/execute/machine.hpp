@@ -30,7 +30,7 @@ class Machine final : public Interpreter {
   // Interpreter
   void start() noexcept override;
   [[nodiscard]] Progress step(ProgramPort& port) noexcept override;
-  [[nodiscard]] bool waits_for_time() const noexcept override { return waits_for_time_; }
+  [[nodiscard]] bool waits_for_time() const noexcept override { return timed_wait_; }
   // Of the job that select() has named. False also for a line behind its last instruction.
   [[nodiscard]] bool select_line(std::uint32_t line) noexcept override;
   [[nodiscard]] bool has_line(ProgramPlace place) const noexcept override;
@@ -62,7 +62,7 @@ class Machine final : public Interpreter {
   bool pause_when_done_ = false;
   bool paused_here_ = false;  // before the record here: a breakpoint does not pause once more
   bool single_step_ = false;
-  bool waits_for_time_ = false;
+  bool timed_wait_ = false;
 };
 
 }  // namespace armature::job

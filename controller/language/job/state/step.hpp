@@ -44,7 +44,7 @@ class Step {
   [[nodiscard]] bool wait() noexcept { return end_as(Progress::kWaiting); }
   // For an input or for time, which must be looked at in each tick.
   [[nodiscard]] bool wait_in_each_tick() noexcept {
-    waits_for_time_ = true;
+    timed_wait_ = true;
     return wait();
   }
   [[nodiscard]] bool wait_for_room() noexcept { return port_.has_room() || wait(); }
@@ -56,7 +56,7 @@ class Step {
 
   [[nodiscard]] Progress progress() const noexcept { return progress_; }
   [[nodiscard]] Alarm alarm() const noexcept { return alarm_; }
-  [[nodiscard]] bool waits_for_time() const noexcept { return waits_for_time_; }
+  [[nodiscard]] bool waits_for_time() const noexcept { return timed_wait_; }
   [[nodiscard]] bool pauses_after() const noexcept { return pauses_after_; }
 
  private:
@@ -71,7 +71,7 @@ class Step {
   ProgramPlace place_;
   Progress progress_ = Progress::kWorking;
   Alarm alarm_ = Alarm::kNone;
-  bool waits_for_time_ = false;
+  bool timed_wait_ = false;
   bool pauses_after_ = false;
 };
 
