@@ -36,7 +36,7 @@ struct Request {
   }
   template <class T>
   [[nodiscard]] const T& get() const noexcept {
-    return *std::launder(reinterpret_cast<const T*>(body.data()));
+    return *std::launder(static_cast<const T*>(static_cast<const void*>(body.data())));
   }
 };
 

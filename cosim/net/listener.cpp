@@ -10,6 +10,7 @@
 #include <cstring>
 #include <system_error>
 
+#include "cosim/net/generic_address.hpp"
 #include "cosim/net/stream_socket.hpp"
 #include "cosim/net/token.hpp"
 #include "cosim/text/input_error.hpp"
@@ -32,7 +33,7 @@ constexpr int kListenBacklog = 16;
 bool server_listens(const sockaddr_un& name) {
   const FileDescriptor probe = stream_socket(AF_UNIX);
   // EAGAIN: a server listens, and its queue of clients is full.
-  return ::connect(probe.get(), reinterpret_cast<const sockaddr*>(&name), sizeof name) == 0 || errno == EAGAIN;
+  return ::connect(probe.get(), generic_address(name), sizeof name) == 0 || errno == EAGAIN;
 }
 
 }  // namespace
@@ -94,7 +95,7 @@ void Listener::listen_on_path(const std::filesystem::path& path) {
   }
   FileDescriptor socket = stream_socket(AF_UNIX);
   const mode_t before = ::umask(S_IXUSR | S_IRWXG | S_IRWXO);
-  const int bound = ::bind(socket.get(), reinterpret_cast<const sockaddr*>(&name), sizeof name);
+  const int bound = ::bind(socket.get(), generic_address(name), sizeof name);
   const int error = errno;
   ::umask(before);
   errno = error;

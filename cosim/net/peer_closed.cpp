@@ -12,6 +12,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "cosim/net/generic_address.hpp"
+
 namespace armature::cosim {
 namespace {
 
@@ -59,8 +61,8 @@ bool peer_closed(const FileDescriptor& socket) {
   if (::poll(&state, 1, 0) > 0) return true;  // a Unix socket that was closed, any socket that was reset
   sockaddr_in here{}, there{};
   socklen_t here_size = sizeof here, there_size = sizeof there;
-  if (::getsockname(socket.get(), reinterpret_cast<sockaddr*>(&here), &here_size) != 0 ||
-      ::getpeername(socket.get(), reinterpret_cast<sockaddr*>(&there), &there_size) != 0) {
+  if (::getsockname(socket.get(), generic_address(here), &here_size) != 0 ||
+      ::getpeername(socket.get(), generic_address(there), &there_size) != 0) {
     return true;
   }
   if (here.sin_family != AF_INET) return false;

@@ -7,6 +7,8 @@
 #include <cerrno>
 #include <system_error>
 
+#include "cosim/net/generic_address.hpp"
+
 namespace armature::cosim {
 
 FileDescriptor stream_socket(int family) {
@@ -24,7 +26,7 @@ LoopbackPort listen_on_loopback(std::uint16_t port, int backlog) {
   name.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
   name.sin_port = htons(port);
   socklen_t size = sizeof name;
-  auto* const generic = reinterpret_cast<sockaddr*>(&name);
+  sockaddr* const generic = generic_address(name);
   if (::bind(socket.get(), generic, size) != 0 || ::listen(socket.get(), backlog) != 0 ||
       ::getsockname(socket.get(), generic, &size) != 0) {
     throw std::system_error{errno, std::generic_category(), "cannot listen"};

@@ -13,6 +13,7 @@
 #include <cstring>
 #include <optional>
 
+#include "cosim/net/generic_address.hpp"
 #include "cosim/net/listener.hpp"
 #include "cosim/text/input_error.hpp"
 
@@ -34,8 +35,7 @@ FileDescriptor connect_to_port(const std::string& address) {
   name.sin_family = AF_INET;
   name.sin_port = htons(port);
   name.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  if (connect(socket.get(), reinterpret_cast<const sockaddr*>(&name), sizeof name) != 0)
-    fail(address, "cannot connect");
+  if (connect(socket.get(), generic_address(name), sizeof name) != 0) fail(address, "cannot connect");
   return socket;
 }
 
