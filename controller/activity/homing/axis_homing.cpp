@@ -51,47 +51,85 @@ void AxisHoming::advance(const HomingSensors& sensors) noexcept {
 void AxisHoming::react(const HomingSensors& sensors) noexcept {
   switch (phase_) {
     case Phase::kFirst:
-      if (sensors.home) meet(HomingSwitch::kOnHome);
-      return begin_phase(sensors.home ? Phase::kBackOff : Phase::kSearch);
+      return start(sensors);
     case Phase::kSearch:
-      if (sensors.home) {
-        meet(HomingSwitch::kHome);
-        return brake_before(Phase::kLeave);
-      }
-      if (limit_ahead(sensors) && reached_switch_ == HomingSwitch::kNone) {
-        meet(HomingSwitch::kLimit);
-        return brake_before(Phase::kBackOff);
-      }
-      if (limit_ahead(sensors) || law_over()) fail(HomingEnd::kNoSwitch);
-      return;
+      return search(sensors);
     case Phase::kBackOff:
-      if (left_switch(sensors)) return brake_before(Phase::kSearch);
-      if (limit_ahead(sensors) || law_over()) fail(on_switch_ ? HomingEnd::kSwitchStuck : HomingEnd::kNoSwitch);
-      return;
+      return back_off(sensors);
     case Phase::kLeave:
-      if (left_switch(sensors)) {
-        edge_ = sensors.position;
-        phase_ = Phase::kIndex;
-      } else if (limit_ahead(sensors)) {
-        fail(HomingEnd::kLimit);
-      } else if (law_over()) {
-        fail(HomingEnd::kSwitchStuck);
-      }
-      return;
+      return leave(sensors);
     case Phase::kIndex:
       return find_index(sensors);
     case Phase::kHome:
-      if (limit_ahead(sensors)) return fail(HomingEnd::kLimit);
-      if (!law_over() || !stands(sensors.position)) return;
-      how_ = HomingEnd::kHomed;
-      phase_ = Phase::kOver;
-      return;
+      return go_home(sensors);
     case Phase::kBrake:
       if (law_over() && stands(sensors.position)) begin_phase(next_);
       return;
     case Phase::kOver:
       return;
   }
+}
+
+void AxisHoming::start(const HomingSensors& sensors) noexcept {
+  if (sensors.home) meet(HomingSwitch::kOnHome);
+  begin_phase(sensors.home ? Phase::kBackOff : Phase::kSearch);
+}
+
+void AxisHoming::search(const HomingSensors& sensors) noexcept {
+  if (sensors.home) {
+    meet(HomingSwitch::kHome);
+    brake_before(Phase::kLeave);
+  } else if (limit_ahead(sensors) && reached_switch_ == HomingSwitch::kNone) {
+    meet(HomingSwitch::kLimit);
+    brake_before(Phase::kBackOff);
+  } else if (limit_ahead(sensors) || law_over()) {
+    fail(HomingEnd::kNoSwitch);
+  }
+}
+
+void AxisHoming::back_off(const HomingSensors& sensors) noexcept {
+  if (left_switch(sensors)) {
+    brake_before(Phase::kSearch);
+  } else if (limit_ahead(sensors) || law_over()) {
+    fail(on_switch_ ? HomingEnd::kSwitchStuck : HomingEnd::kNoSwitch);
+  }
+}
+
+void AxisHoming::leave(const HomingSensors& sensors) noexcept {
+  if (left_switch(sensors)) {
+    edge_ = sensors.position;
+    phase_ = Phase::kIndex;
+  } else if (limit_ahead(sensors)) {
+    fail(HomingEnd::kLimit);
+  } else if (law_over()) {
+    fail(HomingEnd::kSwitchStuck);
+  }
+}
+
+void AxisHoming::find_index(const HomingSensors& sensors) noexcept {
+  const std::int64_t away = (direction_ < 0.0) == (units_.rad_per_pulse() < 0.0) ? 1 : -1;  // sign of the counts
+  const auto revolution = static_cast<double>(counts_per_rev_);
+  const auto distance = [&](Counts from, Counts to) { return static_cast<double>(away * (to - from).value()); };
+  // The index must be behind the edge, and the axis behind the index.
+  if (sensors.index && distance(edge_, *sensors.index) >= 0.0 && distance(*sensors.index, sensors.position) >= 0.0) {
+    const double share = distance(edge_, *sensors.index) / revolution;
+    if (share < kEdgeMargin || share > 1.0 - kEdgeMargin) return fail(HomingEnd::kIndexAtEdge);
+    edge_to_index_ = Counts{away * (*sensors.index - edge_).value()};
+    shift_ = units_.to_counts(Radians{model_.index_rad}) - *sensors.index;
+    phase_ = Phase::kHome;
+    move_to(model_.home_rad - units_.to_radians(shift_).value(), model_.search_rad_s);
+  } else if (limit_ahead(sensors)) {
+    fail(HomingEnd::kLimit);
+  } else if (law_over() || distance(edge_, sensors.position) > kMaxRevolutionsToIndex * revolution) {
+    fail(HomingEnd::kNoIndex);
+  }
+}
+
+void AxisHoming::go_home(const HomingSensors& sensors) noexcept {
+  if (limit_ahead(sensors)) return fail(HomingEnd::kLimit);
+  if (!law_over() || !stands(sensors.position)) return;
+  how_ = HomingEnd::kHomed;
+  phase_ = Phase::kOver;
 }
 
 void AxisHoming::meet(HomingSwitch what) noexcept {
@@ -135,25 +173,6 @@ void AxisHoming::fail(HomingEnd how) noexcept {
 void AxisHoming::stop() noexcept {
   if (phase_ == Phase::kOver || (phase_ == Phase::kBrake && next_ == Phase::kOver)) return;
   fail(HomingEnd::kStop);
-}
-
-void AxisHoming::find_index(const HomingSensors& sensors) noexcept {
-  const std::int64_t away = (direction_ < 0.0) == (units_.rad_per_pulse() < 0.0) ? 1 : -1;  // sign of the counts
-  const auto revolution = static_cast<double>(counts_per_rev_);
-  const auto distance = [&](Counts from, Counts to) { return static_cast<double>(away * (to - from).value()); };
-  // The index must be behind the edge, and the axis behind the index.
-  if (sensors.index && distance(edge_, *sensors.index) >= 0.0 && distance(*sensors.index, sensors.position) >= 0.0) {
-    const double share = distance(edge_, *sensors.index) / revolution;
-    if (share < kEdgeMargin || share > 1.0 - kEdgeMargin) return fail(HomingEnd::kIndexAtEdge);
-    edge_to_index_ = Counts{away * (*sensors.index - edge_).value()};
-    shift_ = units_.to_counts(Radians{model_.index_rad}) - *sensors.index;
-    phase_ = Phase::kHome;
-    move_to(model_.home_rad - units_.to_radians(shift_).value(), model_.search_rad_s);
-  } else if (limit_ahead(sensors)) {
-    fail(HomingEnd::kLimit);
-  } else if (law_over() || distance(edge_, sensors.position) > kMaxRevolutionsToIndex * revolution) {
-    fail(HomingEnd::kNoIndex);
-  }
 }
 
 bool AxisHoming::left_switch(const HomingSensors& sensors) noexcept {

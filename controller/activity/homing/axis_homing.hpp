@@ -64,13 +64,18 @@ class AxisHoming {
   enum class Phase : std::uint8_t { kFirst, kSearch, kBackOff, kLeave, kIndex, kHome, kBrake, kOver };
 
   void react(const HomingSensors& sensors) noexcept;
+  void start(const HomingSensors& sensors) noexcept;
+  void search(const HomingSensors& sensors) noexcept;
+  void back_off(const HomingSensors& sensors) noexcept;
+  void leave(const HomingSensors& sensors) noexcept;
+  void find_index(const HomingSensors& sensors) noexcept;
+  void go_home(const HomingSensors& sensors) noexcept;
   void meet(HomingSwitch what) noexcept;
   void begin_phase(Phase phase) noexcept;
   void move(double direction, double speed) noexcept;
   void move_to(double target, double speed) noexcept;
   void brake_before(Phase next) noexcept;
   void fail(HomingEnd how) noexcept;
-  void find_index(const HomingSensors& sensors) noexcept;
   [[nodiscard]] bool left_switch(const HomingSensors& sensors) noexcept;
   [[nodiscard]] bool limit_ahead(const HomingSensors& sensors) const noexcept;
   [[nodiscard]] bool law_over() const noexcept;

@@ -51,14 +51,15 @@ SetPoint& PlanSource::advance(Ticks tick, const RunControl::View& control) noexc
   set_point_.position = sampler_.position();
   set_point_.rate = sampler_.rate();
   set_point_.inverses = sampler_.inverses();
-  if (stopping_) {
-    set_point_.state = MotionState::kStopping;
-  } else if (control.hold && (moved || !store_.plans.empty())) {
-    set_point_.state = MotionState::kHolding;
-  } else {
-    set_point_.state = moved ? MotionState::kMoving : MotionState::kIdle;
-  }
+  set_point_.state = state_of_motion(control.hold, moved);
   return set_point_;
+}
+
+// `moved`: a plan was under way in this tick.
+MotionState PlanSource::state_of_motion(bool hold, bool moved) const noexcept {
+  if (stopping_) return MotionState::kStopping;
+  if (hold && (moved || !store_.plans.empty())) return MotionState::kHolding;
+  return moved ? MotionState::kMoving : MotionState::kIdle;
 }
 
 // The last set of a plan is committed in the tick of its end. It starts with the next trigger and is complete at the

@@ -68,6 +68,7 @@ class PlanSource final : public ActivitySource {
   void drop_next_plan() noexcept;
   void release_plan() noexcept;
   void report_progress(Ticks tick) noexcept;
+  [[nodiscard]] MotionState state_of_motion(bool hold, bool moved) const noexcept;
   void drop_plans(Refusal reason) noexcept;
   void drop_all() noexcept;
   void refuse_retarget(const RetargetRequest& request) noexcept;

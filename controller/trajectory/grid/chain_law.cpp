@@ -3,16 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "controller/base/rounding.hpp"
 #include "controller/base/timebase.hpp"
-#include "controller/trajectory/cartesian/path_corners.hpp"
-#include "controller/trajectory/grid/tool_limits.hpp"
 
 namespace armature {
 namespace {
 
-// The grids of both laws differ; a segment that takes longer by less counts as not slowed down.
-constexpr double kNotSlower = 2e-3;
 // Share of a limit from which on it counts as reached.
 constexpr double kAtItsLimit = 0.98;
 constexpr double kTimeRounding_s = 1e-9;
@@ -118,28 +113,7 @@ ChainLaw::Progress ChainLaw::step(CartesianPlan& plan) noexcept {
     case Stage::kLaw:
       inverses_ = kIntervals;
       if (law_.work(kIntervals) == SpeedLaw::Progress::kWorking) break;
-      if (plan.continues) {
-        if (!law_.starts_as_asked()) {
-          if (!law_.ease_start()) return Progress::kTooLate;
-          law_.begin(rounds_);
-          break;
-        }
-        stage_ = Stage::kDone;
-        if (smooth_) {
-          smooth_law_.extend(law_);
-          stage_ = Stage::kSmooth;
-        } else {
-          finish(plan);
-        }
-        break;
-      }
-      measure(plan, joint_s_);
-      smooth_ = smooth_law_.begin(law_);
-      stage_ = Stage::kSmooth;
-      if (smooth_) break;
-      finish(plan);
-      stage_ = Stage::kDone;
-      break;
+      return end_law(plan);
     case Stage::kSmooth: {
       const bool working = smooth_law_.work(law_, kIntervals) == SmoothLaw::Progress::kWorking;
       inverses_ = smooth_law_.cost();
@@ -155,57 +129,24 @@ ChainLaw::Progress ChainLaw::step(CartesianPlan& plan) noexcept {
   return stage_ == Stage::kDone ? Progress::kDone : Progress::kWorking;
 }
 
-void ChainLaw::measure(const CartesianPlan& plan,
-                       std::array<double, CartesianPlan::kMaxSegments>& time_s) const noexcept {
-  time_s.fill(0.0);
-  std::size_t segment = 0;
-  for (std::size_t i = 0; i + 1 < law_.size(); ++i) {
-    const double step = law_.s(i + 1) - law_.s(i);
-    if (!(step > 0.0)) continue;
-    const double middle = law_.s(i) + 0.5 * step;
-    while (segment + 1 < plan.count && middle > plan.segments[segment].from + plan.segments[segment].length) ++segment;
-    time_s[segment] += law_.duration_s(i);
+ChainLaw::Progress ChainLaw::end_law(CartesianPlan& plan) noexcept {
+  if (!plan.continues) {
+    measure(plan, joint_s_);
+    smooth_ = smooth_law_.begin(law_);
+  } else if (!law_.starts_as_asked()) {
+    if (!law_.ease_start()) return Progress::kTooLate;
+    law_.begin(rounds_);
+    return Progress::kWorking;
+  } else if (smooth_) {
+    smooth_law_.extend(law_);
   }
-}
-
-void ChainLaw::finish(CartesianPlan& plan) noexcept {
   if (smooth_) {
-    smooth_law_.write(plan.table);
-  } else if (plan.continues) {
-    plan.table.continue_with(law_);
-  } else {
-    plan.table.assign(law_);
+    stage_ = Stage::kSmooth;
+    return Progress::kWorking;
   }
-  plan.duration = plan.table.duration();
-  for (std::size_t i = 0; i < plan.count; ++i) {
-    CartesianSegment& segment = plan.segments[i];
-    if (plan.continues && segment.from <= plan.table.kept_end().s) continue;  // it has started before
-    // What lower() has slowed down does not count.
-    if (!plan.continues || (segment.from > law_.s(0) && !(smooth_ && lowered_))) {
-      const double slower = plan.continues ? most_slowed(plan, i) : tool_s_[i] > 0.0 ? joint_s_[i] / tool_s_[i] : 1.0;
-      segment.stretch = slower > 1.0 + kNotSlower ? slower : 1.0;
-      segment.stretched_for = 0;
-    }
-    const double ticks = plan.table.time_at(segment.from) / kTickSeconds;
-    if (i > 0 && joint_after(plan, i - 1) != PathJoint::kStop) {
-      const auto end = static_cast<std::int64_t>(rounded_up(ticks));
-      segment.start = Ticks{end - 1};
-      plan.segments[i - 1].duration = Ticks{end} - plan.segments[i - 1].start;
-      continue;
-    }
-    // Runs begin with a tick; a thousandth is rounding.
-    segment.start = Ticks{static_cast<std::int64_t>(rounded_up(ticks - 1e-3))};
-    if (i > 0) plan.segments[i - 1].duration = segment.start - plan.segments[i - 1].start;
-  }
-  CartesianSegment& last = plan.segments[plan.count - 1];
-  last.duration = plan.duration - last.start;
-  if (!smooth_ || plan.continues) return;
-  // The jerk of a joint may make a passage beside a singularity slower than its speed and acceleration by far.
-  for (std::size_t i = 0; i < plan.count; ++i) {
-    CartesianSegment& segment = plan.segments[i];
-    if (segment.duration > kLongestSegment && tool_s_[i] > 0.0)
-      segment.stretch = seconds(segment.duration) / tool_s_[i];
-  }
+  finish(plan);
+  stage_ = Stage::kDone;
+  return Progress::kDone;
 }
 
 void ChainLaw::lower(const CartesianPlan& plan, const PathCheck::Place& place, double share) noexcept {
@@ -229,21 +170,6 @@ void ChainLaw::lower(const CartesianPlan& plan, const PathCheck::Place& place, d
     }
   }
   law_.lower(from, to, share / place.stretch);
-}
-
-double ChainLaw::most_slowed(const CartesianPlan& plan, std::size_t segment) const noexcept {
-  const CartesianSegment& path = plan.segments[segment];
-  const double most = largest_square(limits_of_tool(path, 0.0, path.length));
-  double slower = 1.0;
-  for (std::size_t i = law_.point_at(path.from); i < law_.size() && law_.s(i) <= path.from + path.length; ++i) {
-    if (law_.s(i) < path.from) continue;
-    // In a corner the tool alone must be slower, too.
-    LawLimits tool = law_.limits(i);
-    tool.bands = {};
-    tool.most_square = most;
-    slower = std::max(slower, largest_square(tool) / grid_.most_of_joints(law_.limits(i), path.length));
-  }
-  return std::sqrt(slower);
 }
 
 ChainLaw::Bottleneck ChainLaw::bottleneck(const CartesianPlan& plan, std::size_t segment) const noexcept {

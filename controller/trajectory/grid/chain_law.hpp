@@ -105,7 +105,13 @@ class ChainLaw {
   static constexpr std::size_t kIntervals = 4;  // of the law in a step
 
   void measure(const CartesianPlan& plan, std::array<double, CartesianPlan::kMaxSegments>& time_s) const noexcept;
+  // What follows when the law is planned: another pass, the smoothing or the end.
+  [[nodiscard]] Progress end_law(CartesianPlan& plan) noexcept;
+
+  // Sets the table of the plan, and start, duration and stretch of its segments.
   void finish(CartesianPlan& plan) noexcept;
+  void set_table(CartesianPlan& plan) const noexcept;
+  void set_stretch(CartesianPlan& plan, std::size_t segment) const noexcept;
 
   // The factor by which the joints limit the speed of a segment most, against the tool alone at the same place.
   [[nodiscard]] double most_slowed(const CartesianPlan& plan, std::size_t segment) const noexcept;

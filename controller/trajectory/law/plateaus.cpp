@@ -21,46 +21,60 @@ struct Crossing {
 
 }  // namespace
 
+// The first one of those with the same speed.
+std::size_t Plateaus::Window::fastest(const TimeTable& table) const noexcept {
+  std::size_t best = from;
+  for (std::size_t i = from; i <= to; ++i) {
+    if (table[i].speed > table[best].speed) best = i;
+  }
+  return best;
+}
+
+std::size_t Plateaus::Window::slowest(const TimeTable& table) const noexcept {
+  std::size_t best = from;
+  for (std::size_t i = from; i <= to; ++i) {
+    if (table[i].speed < table[best].speed) best = i;
+  }
+  return best;
+}
+
 void Plateaus::find(const TimeTable& table, const TableRun& motion, double tau_s, const SpeedLaw& law,
                     const TimeTable::Point* joint) noexcept {
   count_ = 0;
   const std::size_t first = motion.first, last = motion.last;
   const Run run{table, first, last, tau_s, joint};
-  const auto accel = [&](std::size_t piece) { return piece >= first && piece < last ? table.accel(piece) : 0.0; };
   // u(t) - u(t - tau) changes at each point and tau after it. So it is looked at over the windows that end, or begin,
   // immediately after a point.
   const double window_s = kWindow * tau_s;
   std::size_t begin = first, end = first;  // the first point inside of the one, the last inside of the other
   for (std::size_t i = first; i <= last; ++i) {
-    const double t_s = table[i].t_s, least = kSharpness * tau_s;
+    const double t_s = table[i].t_s;
     while (table[begin].t_s <= t_s - window_s) ++begin;
     while (end < last && table[end + 1].t_s <= t_s + window_s) ++end;
     const double by_change = law.limits(law.point_at(table[i].s)).jerk.by_change;
-    const double change_before = accel(i) - (begin > first ? accel(begin - 1) : 0.0);
-    const double change_after = accel(end) - accel(i);
-    const auto sharpest = [&](std::size_t from, std::size_t to, double change) {
-      // A slow place must stay slow: it may have limits across the path. The mean over tau is faster by change tau / 8.
-      const double faster = 0.125 * change * tau_s;
-      const bool sharp = std::fabs(change) * by_change > least;
-      if ((!sharp && !(faster > 0.0)) || from > to) return;
-      std::size_t best = from;
-      for (std::size_t k = from; k <= to; ++k) {
-        if (change < 0.0 ? table[k].speed > table[best].speed : table[k].speed < table[best].speed) best = k;
-      }
-      if (best == first || best == last) return;
-      if (!sharp && faster < kHardlyFaster * table[best].speed) return;
-      const double before = accel(best - 1), after = accel(best);
-      const bool turns = change < 0.0 ? before >= 0.0 && after <= 0.0 : before <= 0.0 && after >= 0.0;
-      if (!turns) return;
-      if (change < 0.0) {
-        cut(run, best);
-      } else {
-        fill(run, best);
-      }
-    };
-    const auto executed = [&](double until_s) { return joint != nullptr && until_s <= joint->t_s; };
-    if (!executed(t_s)) sharpest(begin, i, change_before);
-    if (!executed(t_s + window_s)) sharpest(i, end, change_after);
+    const double change_before = run.accel(i) - (begin > first ? run.accel(begin - 1) : 0.0);
+    const double change_after = run.accel(end) - run.accel(i);
+    if (!run.executed(t_s)) flatten(run, {begin, i, change_before, by_change});
+    if (!run.executed(t_s + window_s)) flatten(run, {i, end, change_after, by_change});
+  }
+}
+
+// Cuts the peak, or fills the valley, of a window whose acceleration changes too much.
+void Plateaus::flatten(const Run& run, const Window& window) noexcept {
+  const double change = window.change;
+  // A slow place must stay slow: it may have limits across the path. The mean over tau is faster by change tau / 8.
+  const double faster = 0.125 * change * run.tau_s;
+  const bool sharp = std::fabs(change) * window.by_change > kSharpness * run.tau_s;
+  if ((!sharp && !(faster > 0.0)) || window.from > window.to) return;
+  const bool brakes = change < 0.0;
+  const std::size_t at = brakes ? window.fastest(run.table) : window.slowest(run.table);
+  if (at == run.first || at == run.last) return;
+  if (!sharp && faster < kHardlyFaster * run.table[at].speed) return;
+  const double before = run.accel(at - 1), after = run.accel(at);
+  if (brakes) {
+    if (before >= 0.0 && after <= 0.0) cut(run, at);
+  } else if (before <= 0.0 && after >= 0.0) {
+    fill(run, at);
   }
 }
 
@@ -77,55 +91,96 @@ void Plateaus::add(const Run& run, Plateau plateau) noexcept {
   if (count_ < kMax) found_[count_++] = plateau;
 }
 
-void Plateaus::cut(const Run& run, std::size_t peak) noexcept {
-  const TimeTable& table = run.table;
-  const auto crossing = [&](double level, bool before) {
-    std::size_t inside = peak;
-    const auto outside = [&] { return before ? inside - 1 : inside + 1; };
-    while (inside != (before ? run.first : run.last) && table[outside()].speed > level) inside = outside();
-    if (inside == (before ? run.first : run.last)) return Crossing{table[inside].s, table[inside].t_s};
-    const TimeTable::Point &a = table[inside], &b = table[outside()];
-    const double after_s = (a.speed - level) / (a.speed - b.speed) * (b.t_s - a.t_s);
-    return Crossing{a.s + 0.5 * (a.speed + level) * after_s, a.t_s + after_s};
-  };
-  if (run.joint != nullptr && !(table[peak].speed > run.joint->speed)) return;  // nothing to cut
-  const auto lasts = [&](double level) {
-    return crossing(level, false).s - crossing(level, true).s >= level * run.tau_s;
-  };
-  // A crossing of a low level is far away. So first some levels that are crossed close to the peak.
-  double enough = 0.0, too_high = table[peak].speed;
-  const std::size_t farthest = std::max(peak - run.first, run.last - peak);
-  for (std::size_t far = 1; far < farthest; far *= 2) {
-    double left = table[peak].speed, right = left;
-    for (std::size_t i = 1; i <= far; ++i) {
-      if (run.first + i <= peak) left = std::min(left, table[peak - i].speed);
-      if (peak + i <= run.last) right = std::min(right, table[peak + i].speed);
+// A point of the law that is faster than those beside it, and the levels at which it can be cut.
+class Plateaus::Peak {
+ public:
+  Peak(const Run& run, std::size_t at) noexcept : run_{run}, table_{run.table}, at_{at} {}
+
+  [[nodiscard]] double speed() const noexcept { return table_[at_].speed; }
+  // Where the law crosses a level, seen from the peak.
+  [[nodiscard]] Crossing before(double level) const noexcept { return crossing(level, true); }
+  [[nodiscard]] Crossing after(double level) const noexcept { return crossing(level, false); }
+
+  // The highest level at which a cut lasts for tau.
+  [[nodiscard]] double highest_cut() const noexcept {
+    const Levels tried = try_levels();
+    double low = 0.0, high = speed();
+    for (int i = 0; i < kLevelHalvings; ++i) {
+      const double level = 0.5 * (low + high);
+      (level <= tried.enough || (level < tried.too_high && lasts(level)) ? low : high) = level;
     }
-    const double level = std::max(left, right);
-    (lasts(level) ? enough : too_high) = level;
-    if (enough > 0.0) break;
+    return low;
   }
-  double low = 0.0, high = table[peak].speed;
-  for (int i = 0; i < kLevelHalvings; ++i) {
-    const double level = 0.5 * (low + high);
-    (level <= enough || (level < too_high && lasts(level)) ? low : high) = level;
+
+ private:
+  struct Levels {
+    double enough, too_high;  // a cut lasts, or does not
+  };
+
+  // A crossing of a low level is far away. So first some levels that are crossed close to the peak.
+  [[nodiscard]] Levels try_levels() const noexcept {
+    Levels tried{0.0, speed()};
+    const std::size_t farthest = std::max(at_ - run_.first, run_.last - at_);
+    for (std::size_t far = 1; far < farthest; far *= 2) {
+      const double level = level_within(far);
+      (lasts(level) ? tried.enough : tried.too_high) = level;
+      if (tried.enough > 0.0) break;
+    }
+    return tried;
   }
-  Crossing from = crossing(low, true), to = crossing(low, false);
-  if (run.joint != nullptr && from.s < run.joint->s && low < run.joint->speed) {
-    low = run.joint->speed;
+
+  // The least level that is crossed within `far` points on both sides.
+  [[nodiscard]] double level_within(std::size_t far) const noexcept {
+    double left = speed(), right = left;
+    for (std::size_t i = 1; i <= far; ++i) {
+      if (run_.first + i <= at_) left = std::min(left, table_[at_ - i].speed);
+      if (at_ + i <= run_.last) right = std::min(right, table_[at_ + i].speed);
+    }
+    return std::max(left, right);
+  }
+
+  [[nodiscard]] bool lasts(double level) const noexcept {
+    return after(level).s - before(level).s >= level * run_.tau_s;
+  }
+
+  [[nodiscard]] Crossing crossing(double level, bool before) const noexcept {
+    std::size_t inside = at_;
+    const auto outside = [&] { return before ? inside - 1 : inside + 1; };
+    while (inside != (before ? run_.first : run_.last) && table_[outside()].speed > level) inside = outside();
+    if (inside == (before ? run_.first : run_.last)) return {table_[inside].s, table_[inside].t_s};
+    const TimeTable::Point &a = table_[inside], &b = table_[outside()];
+    const double after_s = (a.speed - level) / (a.speed - b.speed) * (b.t_s - a.t_s);
+    return {a.s + 0.5 * (a.speed + level) * after_s, a.t_s + after_s};
+  }
+
+  const Run& run_;
+  const TimeTable& table_;
+  std::size_t at_;
+};
+
+void Plateaus::cut(const Run& run, std::size_t at) noexcept {
+  const TimeTable& table = run.table;
+  const Peak peak{run, at};
+  if (run.joint != nullptr && !(peak.speed() > run.joint->speed)) return;  // nothing to cut
+  double level = peak.highest_cut();
+  Crossing from = peak.before(level), to = peak.after(level);
+  if (run.joint != nullptr && from.s < run.joint->s && level < run.joint->speed) {
+    level = run.joint->speed;
     from = {run.joint->s, run.joint->t_s};
-    to = crossing(low, false);
+    to = peak.after(level);
   }
   // A peak beside a higher one: the plateau leads to that.
-  const double too_long = to.s - from.s - low * run.tau_s;
+  const double too_long = to.s - from.s - level * run.tau_s;
   if (too_long > 0.0) {
-    const bool before = table[peak].s - from.s > to.s - table[peak].s;
+    const bool before = table[at].s - from.s > to.s - table[at].s;
     Crossing& far = before ? from : to;
     far.s += before ? too_long : -too_long;
     far.t_s = table.time_at(far.s);
   }
-  add(run,
-      {.from = from.s, .to = to.s, .square = low * low, .longer_s = std::max(0.0, run.tau_s - (to.t_s - from.t_s))});
+  add(run, {.from = from.s,
+            .to = to.s,
+            .square = level * level,
+            .longer_s = std::max(0.0, run.tau_s - (to.t_s - from.t_s))});
 }
 
 void Plateaus::fill(const Run& run, std::size_t valley) noexcept {

@@ -44,8 +44,25 @@ class Plateaus {
     std::size_t first, last;
     double tau_s;
     const TimeTable::Point* joint;
+
+    // After a point; 0 outside of the run.
+    [[nodiscard]] double accel(std::size_t point) const noexcept {
+      return point >= first && point < last ? table.accel(point) : 0.0;
+    }
+    [[nodiscard]] bool executed(double until_s) const noexcept { return joint != nullptr && until_s <= joint->t_s; }
   };
-  void cut(const Run& run, std::size_t peak) noexcept;
+  // The points within a time of tau, and the change of the acceleration over it.
+  struct Window {
+    std::size_t from, to;
+    double change;
+    double by_change;  // tau that each change needs
+
+    [[nodiscard]] std::size_t fastest(const TimeTable& table) const noexcept;
+    [[nodiscard]] std::size_t slowest(const TimeTable& table) const noexcept;
+  };
+  class Peak;
+  void flatten(const Run& run, const Window& window) noexcept;
+  void cut(const Run& run, std::size_t at) noexcept;
   void fill(const Run& run, std::size_t valley) noexcept;
   void add(const Run& run, Plateau plateau) noexcept;
 

@@ -62,33 +62,43 @@ double distance(std::span<const Point> trace, const Point& point) {
   return least;
 }
 
+// The motion of an axis by the differences of its set-points: position, and its derivatives in ticks.
+struct TickMotion {
+  double position = 0.0, speed = 0.0, accel = 0.0, jerk = 0.0;
+
+  void add(double next) noexcept {
+    const double next_speed = next - position, next_accel = next_speed - speed;
+    jerk = next_accel - accel;
+    accel = next_accel;
+    speed = next_speed;
+    position = next;
+  }
+
+  // `before`: the set-points before the last one. Each difference needs one more.
+  [[nodiscard]] bool keeps_limits(const AxisModel& model, bool with_jerk, int before) const noexcept {
+    constexpr double kRounding = 1e-6, kJerkRounding = 1e-3;
+    constexpr double kTick2 = kTickSeconds * kTickSeconds;
+    const auto exceeds = [](double size, double limit, double rounding) {
+      return !(std::fabs(size) <= limit * (1.0 + rounding));
+    };
+    if (before > 0 && exceeds(speed, AxisUnits{model}.max_speed_rad_s() * kTickSeconds, kRounding)) return false;
+    if (before > 1 && exceeds(accel, model.max_accel_rad_s2 * kTick2, kRounding)) return false;
+    return !(with_jerk && before > 2 && exceeds(jerk, model.max_jerk_rad_s3 * kTick2 * kTickSeconds, kJerkRounding));
+  }
+};
+
 // Differences of set-points across the change between a path and a joint move, at ticks and at quarters of them: a hold
 // or an override moves the set-points between ticks. `joints_at(ticks)`: relative to the change.
 template <class JointsAt>
 bool keeps_limits(const RobotModel& robot, bool with_jerk, JointsAt joints_at) {
   constexpr int kParts = 4, kOrders = 3;
-  constexpr double kLimitRounding = 1e-6, kJerkLimitRounding = 1e-3;
   for (int part = 0; part < kParts; ++part) {
-    PerAxis<std::array<double, kOrders>> last{};
+    PerAxis<TickMotion> motion{};
     for (int k = -kOrders; k < kOrders; ++k) {
       const JointAngles joints = joints_at(k + static_cast<double>(part) / kParts);
       for (std::size_t axis = 0; axis < robot.axis_count; ++axis) {
-        const AxisModel& model = robot.axes[axis];
-        // Position, speed and acceleration in ticks; the jerk is the next difference.
-        const double position = joints[axis].value();
-        const double speed = position - last[axis][0], accel = speed - last[axis][1], jerk = accel - last[axis][2];
-        last[axis] = {position, speed, accel};
-        const auto exceeds = [](double size, double limit, double rounding) {
-          return !(std::fabs(size) <= limit * (1.0 + rounding));
-        };
-        constexpr double kTick2 = kTickSeconds * kTickSeconds;
-        if (k > -kOrders && exceeds(speed, AxisUnits{model}.max_speed_rad_s() * kTickSeconds, kLimitRounding))
-          return false;
-        if (k > 1 - kOrders && exceeds(accel, model.max_accel_rad_s2 * kTick2, kLimitRounding)) return false;
-        if (with_jerk && k > 2 - kOrders &&
-            exceeds(jerk, model.max_jerk_rad_s3 * kTick2 * kTickSeconds, kJerkLimitRounding)) {
-          return false;
-        }
+        motion[axis].add(joints[axis].value());
+        if (!motion[axis].keeps_limits(robot.axes[axis], with_jerk, k + kOrders)) return false;
       }
     }
   }

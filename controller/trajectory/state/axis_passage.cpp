@@ -55,42 +55,46 @@ double AxisPassage::way_size(double duration_s) const noexcept {
   return 1.0 + std::fabs(start_.given.position) + std::fabs(end_.given.position) + limits_.speed * duration_s;
 }
 
+double AxisPassage::middle_of(const Bound& a, const Bound& b) noexcept {
+  return 0.5 * (a.changes.velocity + b.changes.velocity);
+}
+
+double AxisPassage::secant_of(const Bound& inside, const Bound& outside) noexcept {
+  const double from = inside.changes.velocity, to = outside.changes.velocity;
+  const double secant = (from * outside.weight - to * inside.weight) / (outside.weight - inside.weight);
+  return (secant - from) * (secant - to) < 0.0 ? secant : middle_of(inside, outside);
+}
+
 template <class TimeFor>
-bool AxisPassage::solve(Changes inside, TimeFor time_for, Changes& solution) const noexcept {
-  const auto excess = [&](const Changes& changes) { return changes.excess + changes.velocity * time_for(changes); };
-  double inside_excess = excess(inside);
-  const double direction = inside_excess < 0.0 ? 1.0 : -1.0;
-  Changes outside = changes(direction * limits_.speed);
-  double outside_excess = excess(outside);
-  if (time_for(outside) >= 0.0 && direction * outside_excess < 0.0) return false;
-  const double no_miss = kNoMiss * way_size(inside.duration_s);
-  double inside_weight = inside_excess, outside_weight = outside_excess;
+bool AxisPassage::solve(const Changes& first, TimeFor time_for, Changes& solution) const noexcept {
+  const auto bound_at = [&](const Changes& changes) {
+    const double excess = changes.excess + changes.velocity * time_for(changes);
+    return Bound{changes, excess, excess};
+  };
+  Bound inside = bound_at(first);
+  const double direction = inside.excess < 0.0 ? 1.0 : -1.0;
+  Bound outside = bound_at(changes(direction * limits_.speed));
+  if (time_for(outside.changes) >= 0.0 && direction * outside.excess < 0.0) return false;
+  const double no_miss = kNoMiss * way_size(first.duration_s);
   bool was_beyond = false;
-  for (int i = 1; i <= kMaxChanges && std::fabs(inside_excess) > no_miss; ++i) {
-    double velocity = 0.5 * (inside.velocity + outside.velocity);
-    if (time_for(outside) >= 0.0 && i % kBisectEvery != 0) {
-      const double secant =
-          (inside.velocity * outside_weight - outside.velocity * inside_weight) / (outside_weight - inside_weight);
-      if ((secant - inside.velocity) * (secant - outside.velocity) < 0.0) velocity = secant;
-    }
-    if (velocity == inside.velocity || velocity == outside.velocity) break;
-    const Changes middle = changes(velocity);
-    const double middle_excess = excess(middle);
-    const bool beyond = time_for(middle) < 0.0 || direction * middle_excess > 0.0;
-    // An end that stays twice counts less and less (the Illinois rule).
+  for (int i = 1; i <= kMaxChanges && std::fabs(inside.excess) > no_miss; ++i) {
+    const bool by_secant = time_for(outside.changes) >= 0.0 && i % kBisectEvery != 0;
+    const double velocity = by_secant ? secant_of(inside, outside) : middle_of(inside, outside);
+    if (velocity == inside.changes.velocity || velocity == outside.changes.velocity) break;
+    const Bound middle = bound_at(changes(velocity));
+    const bool beyond = time_for(middle.changes) < 0.0 || direction * middle.excess > 0.0;
+    // A bound that stays twice counts less and less (the Illinois rule).
     if (beyond) {
       outside = middle;
-      outside_excess = outside_weight = middle_excess;
-      if (was_beyond) inside_weight *= 0.5;
+      if (was_beyond) inside.weight *= 0.5;
     } else {
       inside = middle;
-      inside_excess = inside_weight = middle_excess;
-      if (!was_beyond) outside_weight *= 0.5;
+      if (!was_beyond) outside.weight *= 0.5;
     }
     was_beyond = beyond;
   }
-  const bool better = time_for(outside) >= 0.0 && std::fabs(outside_excess) < std::fabs(inside_excess);
-  solution = better ? outside : inside;
+  const bool better = time_for(outside.changes) >= 0.0 && std::fabs(outside.excess) < std::fabs(inside.excess);
+  solution = better ? outside.changes : inside.changes;
   return true;
 }
 

@@ -36,10 +36,19 @@ class AxisPassage {
     double excess = 0.0;  // of the end of both changes beyond the wanted one
   };
   [[nodiscard]] Changes changes(double velocity) const noexcept;
-  // Finds the velocity for which the end is the wanted one, between `inside` and the limit of the speed. `time_for`
+  // An end of the interval in which solve() searches the velocity.
+  struct Bound {
+    Changes changes;
+    double excess = 0.0;  // of the end of the motion beyond the wanted one
+    double weight = 0.0;  // the same, or less to move the next velocity away from here
+  };
+  [[nodiscard]] static double middle_of(const Bound& a, const Bound& b) noexcept;
+  // Where the line through both weights is 0; the middle if that is not between them.
+  [[nodiscard]] static double secant_of(const Bound& inside, const Bound& outside) noexcept;
+  // Finds the velocity for which the end is the wanted one, between `first` and the limit of the speed. `time_for`
   // returns the time of constant velocity; < 0: there is none. Returns false if the limit is not enough.
   template <class TimeFor>
-  [[nodiscard]] bool solve(Changes inside, TimeFor time_for, Changes& solution) const noexcept;
+  [[nodiscard]] bool solve(const Changes& first, TimeFor time_for, Changes& solution) const noexcept;
   [[nodiscard]] PhaseLaw law_of(double velocity, double constant_s) const noexcept;
   [[nodiscard]] double way_size(double duration_s) const noexcept;
 

@@ -160,26 +160,32 @@ nlohmann::ordered_json verdicts_json(const std::vector<JunitCase>& finished, std
   return document;
 }
 
-int check_scenarios(const CheckOptions& given, const SearchPath& path) {
+std::vector<Scenario> load_scenarios(const CheckOptions& given, const SearchPath& path) {
   std::vector<Scenario> scenarios;
-  for (const auto& file : scenarios_to_check(given.scenarios, path))
+  for (const auto& file : scenarios_to_check(given.scenarios, path)) {
     scenarios.push_back(load_scenario(file, {.search_path = path}));
-  if (given.junit) {
-    OutputFiles files;
-    for (const Scenario& scenario : scenarios) files.reads(scenario);
-    files.writes(*given.junit, "--junit", Writing::kInPlace);
   }
-  const std::vector<std::filesystem::path> kept = result_folders(scenarios, given.out);
-  std::vector<std::optional<std::filesystem::path>> reports(scenarios.size());
-  if (given.report_dir) {
-    create_folder(*given.report_dir);
-    for (std::size_t i = 0; i < reports.size(); ++i) {
-      reports[i] = *given.report_dir / (kept[i].filename().string() + ".html");
-    }
-  }
+  return scenarios;
+}
 
+// The report of each scenario, if it fails; nothing without --report-dir. `kept`: the folders of their results.
+std::vector<std::optional<std::filesystem::path>> report_files(const CheckOptions& given,
+                                                               const std::vector<std::filesystem::path>& kept) {
+  std::vector<std::optional<std::filesystem::path>> reports(kept.size());
+  if (!given.report_dir) return reports;
+  create_folder(*given.report_dir);
+  for (std::size_t i = 0; i < reports.size(); ++i) {
+    reports[i] = *given.report_dir / (kept[i].filename().string() + ".html");
+  }
+  return reports;
+}
+
+// Checks scenarios, several of them at a time, and prints each verdict. Returns the results of those that were not
+// interrupted. Runs share nothing, so the results do not depend on how many run at a time.
+std::vector<JunitCase> check_all(const CheckOptions& given, const std::vector<Scenario>& scenarios) {
+  const std::vector<std::filesystem::path> kept = result_folders(scenarios, given.out);
+  const std::vector<std::optional<std::filesystem::path>> reports = report_files(given, kept);
   catch_interrupts();
-  // Runs share nothing, so their results do not depend on how many run at a time.
   std::vector<std::optional<JunitCase>> results(scenarios.size());
   std::atomic<std::size_t> next{0};
   std::mutex printing;
@@ -203,24 +209,39 @@ int check_scenarios(const CheckOptions& given, const SearchPath& path) {
     for (int i = 1; i < given.jobs; ++i) helpers.emplace_back(work);
     work();
   }
-  progress.clear();
   std::vector<JunitCase> finished;
   for (std::optional<JunitCase>& result : results) {
     if (result) finished.push_back(*std::move(result));
   }
-  if (given.junit) replace_text_file(*given.junit, junit_xml(finished));
-  if (given.report_dir) write_index(*given.report_dir, finished);
+  return finished;
+}
+
+// `skipped`: as in verdicts_json().
+void print_summary(const OutputOptions& output, const std::vector<JunitCase>& finished, std::size_t skipped) {
   const auto passed = std::ranges::count_if(finished, has_passed);
   const auto failed = std::ssize(finished) - passed;
-  const auto skipped = results.size() - finished.size();
-  if (given.output.json) {
+  if (output.json) {
     print_json(verdicts_json(finished, passed, skipped));
-  } else if (!given.output.quiet || failed > 0 || skipped > 0) {
+  } else if (!output.quiet || failed > 0 || skipped > 0) {
     std::cout << fmt::format("{} passed, {} failed", passed, failed)
               << (skipped > 0 ? fmt::format(", {} not run: interrupted\n", skipped) : "\n");
   }
+}
+
+int check_scenarios(const CheckOptions& given, const SearchPath& path) {
+  const std::vector<Scenario> scenarios = load_scenarios(given, path);
+  if (given.junit) {
+    OutputFiles files;
+    for (const Scenario& scenario : scenarios) files.reads(scenario);
+    files.writes(*given.junit, "--junit", Writing::kInPlace);
+  }
+  const std::vector<JunitCase> finished = check_all(given, scenarios);
+  const std::size_t skipped = scenarios.size() - finished.size();
+  if (given.junit) replace_text_file(*given.junit, junit_xml(finished));
+  if (given.report_dir) write_index(*given.report_dir, finished);
+  print_summary(given.output, finished, skipped);
   if (skipped > 0) return kExitInterrupted;
-  return failed == 0 ? kExitOk : kExitCheckFailed;
+  return std::ranges::all_of(finished, has_passed) ? kExitOk : kExitCheckFailed;
 }
 
 CommandAction declare_check(CLI::App& app) {

@@ -8,6 +8,28 @@
 #include "cosim/scenario/keys/toml_text.hpp"
 
 namespace armature::cosim {
+namespace {
+
+// The condition to report for a key: the first one that does not hold, of the entry with the most that hold before it.
+// If several entries need other values of the same key, all these values.
+class NearestCondition {
+ public:
+  void add(const Condition& failed, std::size_t held) {
+    if (nearest_.key.empty() || held > held_) {
+      nearest_ = failed;
+      held_ = held;
+    } else if (held == held_ && nearest_.key == failed.key && !nearest_.excluded) {
+      nearest_.values.insert(nearest_.values.end(), failed.values.begin(), failed.values.end());
+    }
+  }
+  [[nodiscard]] const Condition& get() const { return nearest_; }
+
+ private:
+  Condition nearest_;
+  std::size_t held_ = 0;
+};
+
+}  // namespace
 
 TableKeys::TableKeys(TableReader& table, std::vector<const KeyInfo*> entries, const KeyContext& context)
     : table_{&table}, entries_{std::move(entries)}, context_{&context} {}
@@ -83,30 +105,20 @@ void TableKeys::report_absence_of(const KeyInfo& first) {
     if (entry->name == first.name) all.push_back(entry);
   }
   if (std::ranges::any_of(all, [&](const KeyInfo* entry) { return exists(*entry); })) return;
-  // The number of conditions that hold. The message is about the first failed condition of the nearest entry.
-  Condition missing;
-  std::size_t nearest = 0;
+  NearestCondition nearest;
   for (const KeyInfo* entry : all) {
-    for (std::size_t i = 0; i < entry->conditions.size(); ++i) {
-      const Condition& condition = entry->conditions[i];
-      const Holds state = holds(condition);
-      if (state == Holds::kYes) continue;
-      if (state == Holds::kUnknown) {
-        table_->declare(first.name);
-        // The kind of the table is unknown.
-        if (!condition.values.empty() && entry_of(condition.key)->need == Need::kRequired) table_->ignore_rest();
-        return;
-      }
-      if (missing.key.empty() || i > nearest) {
-        missing = condition;
-        nearest = i;
-      } else if (i == nearest && missing.key == condition.key && !missing.excluded) {
-        missing.values.insert(missing.values.end(), condition.values.begin(), condition.values.end());
-      }
-      break;
+    const auto failed =
+        std::ranges::find_if(entry->conditions, [&](const Condition& one) { return holds(one) != Holds::kYes; });
+    if (holds(*failed) == Holds::kUnknown) {
+      table_->declare(first.name);
+      // The kind of the table is unknown.
+      if (!failed->values.empty() && entry_of(failed->key)->need == Need::kRequired) table_->ignore_rest();
+      return;
     }
+    nearest.add(*failed, static_cast<std::size_t>(failed - entry->conditions.begin()));
   }
   if (!first.refused.empty()) return;
+  Condition missing = nearest.get();
   if (!missing.values.empty()) {  // in the order of the other key's choices
     std::vector<std::string_view> ordered = entry_of(missing.key)->rule.choices;
     std::erase_if(ordered, [&](std::string_view choice) {

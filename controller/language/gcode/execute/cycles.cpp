@@ -59,28 +59,44 @@ void Cycles::step() noexcept {
   coordinates_.move_to(drill_.place());
 }
 
-// R, bottom, Q and P, from the line or from the line before.
 Failure Cycles::remember(const Block& block, bool continues) noexcept {
-  const Words& words = block.words;
   const CodeInfo& code = *block.motion;
-  const double unit_mm = modes_.unit_mm();
-  const char bottom = kAxisLetters[axes_of(modes_.active().plane).normal];
-  if (!continues && !words.has('r')) return error_of(ErrorCode::kCycleClearanceMissing, code);
-  if (!continues && !words.has(bottom)) return error_of(ErrorCode::kCycleDepthMissing, code);
-  if (words.has('r')) memory_.clearance = words.get('r') * unit_mm;
-  if (words.has(bottom)) memory_.bottom = words.get(bottom) * unit_mm;
+  if (const Failure failure = remember_heights(block, continues)) return failure;
   if (is_tap(code) && spindle_.active().direction != (code.tenths == 840 ? 1 : -1)) {
     return error_of(ErrorCode::kTapSpindle, code);
   }
-  if (dwells(code)) {
-    if (!is_tap(code) && !continues && !words.has('p')) return error_of(ErrorCode::kWordMissing, 'p');
-    if (words.get('p') < 0.0) return error_of(ErrorCode::kWordNegative, 'p');
-    if (words.has('p')) memory_.dwell_s = words.get('p');
-  } else if (has_pecks(code)) {
-    if (!continues && !words.has('q')) return error_of(ErrorCode::kWordMissing, 'q');
-    if (words.has('q') && words.get('q') <= 0.0) return error_of(ErrorCode::kWordRange, 'q');
-    if (words.has('q')) memory_.peck = words.get('q') * unit_mm;
-  }
+  if (dwells(code)) return remember_dwell(block, continues);
+  if (has_pecks(code)) return remember_peck(block.words, continues);
+  return std::nullopt;
+}
+
+// R and the bottom.
+Failure Cycles::remember_heights(const Block& block, bool continues) noexcept {
+  const Words& words = block.words;
+  const double unit_mm = modes_.unit_mm();
+  const char bottom = kAxisLetters[axes_of(modes_.active().plane).normal];
+  if (!continues && !words.has('r')) return error_of(ErrorCode::kCycleClearanceMissing, *block.motion);
+  if (!continues && !words.has(bottom)) return error_of(ErrorCode::kCycleDepthMissing, *block.motion);
+  if (words.has('r')) memory_.clearance = words.get('r') * unit_mm;
+  if (words.has(bottom)) memory_.bottom = words.get(bottom) * unit_mm;
+  return std::nullopt;
+}
+
+// P.
+Failure Cycles::remember_dwell(const Block& block, bool continues) noexcept {
+  const Words& words = block.words;
+  if (!is_tap(*block.motion) && !continues && !words.has('p')) return error_of(ErrorCode::kWordMissing, 'p');
+  if (words.get('p') < 0.0) return error_of(ErrorCode::kWordNegative, 'p');
+  if (words.has('p')) memory_.dwell_s = words.get('p');
+  return std::nullopt;
+}
+
+// Q.
+Failure Cycles::remember_peck(const Words& words, bool continues) noexcept {
+  if (!continues && !words.has('q')) return error_of(ErrorCode::kWordMissing, 'q');
+  if (!words.has('q')) return std::nullopt;
+  if (words.get('q') <= 0.0) return error_of(ErrorCode::kWordRange, 'q');
+  memory_.peck = words.get('q') * modes_.unit_mm();
   return std::nullopt;
 }
 

@@ -35,7 +35,12 @@ class Cycles {
     double dwell_s = 0.0;
   };
 
+  // Takes over what the line programs, and checks that it has what it must have. `continues`: the line before has the
+  // same cycle.
   [[nodiscard]] Failure remember(const Block& block, bool continues) noexcept;
+  [[nodiscard]] Failure remember_heights(const Block& block, bool continues) noexcept;
+  [[nodiscard]] Failure remember_dwell(const Block& block, bool continues) noexcept;
+  [[nodiscard]] Failure remember_peck(const Words& words, bool continues) noexcept;
   [[nodiscard]] DrillRequest holes_of(const Block& block, double clearance, double bottom) const noexcept;
 
   const Modes& modes_;

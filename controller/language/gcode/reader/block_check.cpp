@@ -10,6 +10,9 @@ namespace {
 constexpr std::string_view kCentreLetters = "ijk";
 constexpr std::string_view kArgumentLetters = "dehijklpqr";  // each needs a code that uses it
 
+bool is_line(const CodeInfo& info) noexcept {
+  return info.tenths == 0 || info.tenths == 10;
+}
 bool is_arc(const CodeInfo& info) noexcept {
   return info.tenths == 20 || info.tenths == 30;
 }
@@ -35,9 +38,8 @@ bool uses(const Block& block, char letter) noexcept {
   return has(block.motion) || std::ranges::any_of(block.codes, has);
 }
 
-}  // namespace
-
-Failure check_block(Block& block, const CodeInfo* active) noexcept {
+// Finds the motion of the line: its own code, or the active one where the line has axis words for it.
+Failure choose_motion(Block& block, const CodeInfo* active) noexcept {
   const bool axes = block.words.any_axis();
   const CodeInfo* const values = value_user(block);
   const CodeInfo* const own = block.code(Group::kMotion);
@@ -57,10 +59,15 @@ Failure check_block(Block& block, const CodeInfo* active) noexcept {
     if (active == nullptr) return Error{.code = ErrorCode::kNoMotionMode};
     block.motion = active;
   }
+  return std::nullopt;
+}
 
-  if (block.is(Group::kOnce, 530)) {
-    const bool line = block.motion != nullptr && (block.motion->tenths == 0 || block.motion->tenths == 10);
-    if (!line) return error_of(ErrorCode::kG53WithoutLine, *block.code(Group::kOnce));
+}  // namespace
+
+Failure check_block(Block& block, const CodeInfo* active) noexcept {
+  if (const Failure failure = choose_motion(block, active)) return failure;
+  if (block.is(Group::kOnce, 530) && (block.motion == nullptr || !is_line(*block.motion))) {
+    return error_of(ErrorCode::kG53WithoutLine, *block.code(Group::kOnce));
   }
   for (const char letter : kArgumentLetters) {
     if (block.words.has(letter) && !uses(block, letter)) return error_of(ErrorCode::kWordNotUsed, letter);

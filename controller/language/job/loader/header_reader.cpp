@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "controller/language/job/loader/line_lexer.hpp"
+#include "controller/language/job/loader/position_line.hpp"
 #include "controller/language/job/memory/number_text.hpp"
 
 namespace armature::job {
@@ -33,10 +34,6 @@ bool any_of(const auto& names, std::string_view name) {
 std::string_view without_end(std::string_view text) {
   while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
   return text;
-}
-
-bool joints(Frame frame) {
-  return frame == Frame::kPulse || frame == Frame::kAngle;
 }
 
 }  // namespace
@@ -121,7 +118,7 @@ void HeaderReader::read_pseudo(std::string_view name, std::string_view value, st
     modal_.frame = Frame::kAngle;
   } else if (name == "RECTAN") {
     // Old files have no POSTYPE.
-    if (joints(modal_.frame)) modal_.frame = Frame::kBase;
+    if (holds_joints(modal_.frame)) modal_.frame = Frame::kBase;
   } else if (name == "RCONF") {
     read_rconf(value, column);
   } else if (name == "LVARS") {
@@ -204,50 +201,18 @@ std::int64_t HeaderReader::read_one(std::string_view value, std::size_t column, 
 }
 
 void HeaderReader::read_position(std::string_view line) noexcept {
-  Position position = modal_;
-  std::size_t at = 0;
-  while (at < line.size() && line[at] >= 'A' && line[at] <= 'Z') ++at;
-  const auto letter = named<PositionLetter>(kPositionNames, part(line, 0, at));
-  if (!letter) return file_.error(1, "expected a position: C, BC, EC, P, BP or EX and a number");
-  std::uint32_t number = 0;
-  const std::size_t digits = at;
-  for (; at < line.size() && is_digit(line[at]) && at < digits + 5; ++at) {
-    number = 10 * number + static_cast<std::uint32_t>(line[at] - '0');
-  }
-  if (at == digits) return file_.error(at + 1, "expected the number of the position");
-  if (at == line.size() || line[at] != '=') return file_.error(at + 1, "expected '='");
-  const std::size_t most_number = *letter >= PositionLetter::kP ? 255 : 65'534;
-  if (number > most_number) return file_.error(digits + 1, DiagnosticText{"expected a number up to "} << most_number);
-  position.letter = *letter;
-  position.number = static_cast<std::uint16_t>(number);
-  position.digits = static_cast<std::uint8_t>(at - digits);
+  PositionLine reader{line, modal_};
+  if (!reader.read()) return file_.error(reader.problem().column, reader.problem().text);
+  Position position = reader.position();
   position.line = static_cast<std::uint16_t>(file_.line);
-  for (++at;; ++at) {
-    const std::size_t blanks = at;
-    while (at < line.size() && line[at] == ' ') ++at;
-    const auto value = read_number(part(line, at));
-    if (!value || value->exponent_form != 0) return file_.error(at + 1, "expected a number");
-    if (position.count == position.value.size()) return file_.error(at + 1, "a position has at most 6 values");
-    position.gap[position.count] = static_cast<std::uint8_t>(std::min<std::size_t>(at - blanks, 255));
-    position.form[position.count] = value->form;
-    position.value[position.count++] = value->value;
-    at += value->size;
-    if (at == line.size() || line[at] != ',') break;
-  }
-  const std::size_t end = place_where(
-      line, [](char character) { return character != ' '; }, at);
-  if (end < line.size()) return file_.error(end + 1, "expected a comma or the end of the line");
-  position.blanks_after = static_cast<std::uint8_t>(std::min<std::size_t>(line.size() - at, 255));
-  const bool arm = *letter == PositionLetter::kC || *letter == PositionLetter::kP;
-  if (arm && position.count != 6) return file_.error(at + 1, "a position of the arm has 6 values");
-  if (joints(position.frame)) position.rconf = 0;
-  for (const Position& other :
-       std::span{memory_.positions}.subspan(job_->first_position, memory_.position_count - job_->first_position)) {
+  const auto before =
+      std::span{memory_.positions}.subspan(job_->first_position, memory_.position_count - job_->first_position);
+  for (const Position& other : before) {
     if (other.letter == position.letter && other.number == position.number) {
       return file_.error(1, DiagnosticText{"the same position as in line "} << std::uint32_t{other.line});
     }
   }
-  ++counted_[static_cast<std::size_t>(*letter)];
+  ++counted_[static_cast<std::size_t>(position.letter)];
   if (memory_.position_count == memory_.positions.size()) {
     return file_.error(1, DiagnosticText{"the program memory has room for "} << kMaxPositions << " positions");
   }

@@ -38,6 +38,24 @@ void go_back(ProgramMemory& memory, const Marks& marks) {
   memory.text_size = marks.text;
 }
 
+// Whether an earlier position with the same name has other values.
+bool replaces_another(const ProgramMemory& memory, std::size_t position) noexcept {
+  const Position& later = memory.positions[position];
+  for (std::size_t i = 0; i < position; ++i) {
+    const Position& earlier = memory.positions[i];
+    if (earlier.letter == later.letter && earlier.number == later.number && earlier.value != later.value) return true;
+  }
+  return false;
+}
+
+const JobInfo* job_with_position(const ProgramMemory& memory, std::size_t position) noexcept {
+  for (std::size_t i = 0; i < memory.job_count; ++i) {
+    const JobInfo& job = memory.jobs[i];
+    if (position >= job.first_position && position < std::size_t{job.first_position} + job.position_count) return &job;
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 void Loader::error(std::size_t column, const DiagnosticText& text) noexcept {
@@ -211,22 +229,12 @@ bool Loader::link() noexcept {
 
 void Loader::compare_position_variables() noexcept {
   for (std::size_t i = 0; i < memory_.position_count; ++i) {
-    const Position& later = memory_.positions[i];
-    if (later.letter != PositionLetter::kP) continue;
-    for (std::size_t k = 0; k < i; ++k) {
-      const Position& earlier = memory_.positions[k];
-      if (earlier.letter != later.letter || earlier.number != later.number || earlier.value == later.value) continue;
-      for (std::size_t j = 0; j < memory_.job_count; ++j) {
-        const JobInfo& job = memory_.jobs[j];
-        if (i >= job.first_position && i < std::size_t{job.first_position} + job.position_count) {
-          file_.name = memory_.text_at(job.file);
-        }
-      }
-      file_.line = later.line;
-      file_.warn(1,
-                 DiagnosticText{"another job gives P"} << std::uint32_t{later.number} << " other values; these apply");
-      break;
-    }
+    const Position& position = memory_.positions[i];
+    if (position.letter != PositionLetter::kP || !replaces_another(memory_, i)) continue;
+    if (const JobInfo* job = job_with_position(memory_, i)) file_.name = memory_.text_at(job->file);
+    file_.line = position.line;
+    file_.warn(1,
+               DiagnosticText{"another job gives P"} << std::uint32_t{position.number} << " other values; these apply");
   }
 }
 

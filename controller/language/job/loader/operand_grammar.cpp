@@ -45,21 +45,23 @@ bool OperandGrammar::matches(const Instruction& instruction) noexcept {
       optional = true;
       continue;
     }
-    if (line_.unsupported && !at_end() && here().kind == OperandKind::kText) break;
-    if (optional && (at_end() || letter == 't')) {
-      if (letter == 't' && !match_tags(instruction)) return false;
-      continue;
-    }
-    // WAIT T=1.00 has no condition, and RET IF ... no value.
-    if (optional && here().kind == OperandKind::kTag) continue;
-    if (letter == 'y' && !is_word(Word::kUntil)) continue;
-    if (optional && (is_word(Word::kIf) || is_word(Word::kIfExpress)) && letter != 'g') continue;
+    if (line_.unsupported && is_kind(OperandKind::kText)) break;
+    if (optional && is_left_out(letter)) continue;
     if (!match(letter, instruction)) return false;
   }
   const bool comment_or_rest = is_move(instruction.op) || line_.unsupported;
-  if (comment_or_rest && !at_end() && here().kind == OperandKind::kText) ++at_;
+  if (comment_or_rest && is_kind(OperandKind::kText)) ++at_;
   if (!at_end()) return expected("the end of the line");
   return check_ranges();
+}
+
+// Of an optional operand.
+bool OperandGrammar::is_left_out(char letter) const noexcept {
+  if (letter == 't') return false;  // match_tags() also checks that there is a tag where the line needs one
+  if (letter == 'y') return !is_word(Word::kUntil);
+  // WAIT T=1.00 has no condition, and RET IF ... no value.
+  if (at_end() || is_kind(OperandKind::kTag)) return true;
+  return letter != 'g' && (is_word(Word::kIf) || is_word(Word::kIfExpress));
 }
 
 bool OperandGrammar::match(char letter, const Instruction& instruction) noexcept {
@@ -115,14 +117,14 @@ bool OperandGrammar::match(char letter, const Instruction& instruction) noexcept
 }
 
 bool OperandGrammar::match_kind(OperandKind kind, std::string_view what) noexcept {
-  if (at_end() || here().kind != kind) return expected(what);
+  if (!is_kind(kind)) return expected(what);
   ++at_;
   return true;
 }
 
 bool OperandGrammar::match_variable(std::uint32_t types, std::string_view what) noexcept {
-  const bool fits = !at_end() && here().kind == OperandKind::kVariable && (here().flags & Operand::kSystem) == 0 &&
-                    (types >> here().what & 1U) != 0;
+  const bool fits =
+      is_kind(OperandKind::kVariable) && (here().flags & Operand::kSystem) == 0 && (types >> here().what & 1U) != 0;
   if (!fits) return expected(what);
   skip();
   return true;
@@ -133,7 +135,7 @@ bool OperandGrammar::match_tag_variable() noexcept {
 }
 
 bool OperandGrammar::match_move_target() noexcept {
-  if (!at_end() && here().kind == OperandKind::kPosition) {
+  if (is_kind(OperandKind::kPosition)) {
     ++at_;
     return true;
   }
@@ -171,7 +173,7 @@ bool OperandGrammar::match_expression() noexcept {
     }
     if (!match_value()) return false;
     while (open > 0 && take(Word::kClose)) --open;
-    if (at_end() || here().kind != OperandKind::kWord || !is_calculation(static_cast<Word>(here().what))) break;
+    if (!is_kind(OperandKind::kWord) || !is_calculation(static_cast<Word>(here().what))) break;
     ++at_;
   }
   return open == 0 || expected("')' or a calculation");
@@ -180,7 +182,7 @@ bool OperandGrammar::match_expression() noexcept {
 bool OperandGrammar::match_condition() noexcept {
   while (true) {
     if (!match_value()) return false;
-    if (at_end() || here().kind != OperandKind::kWord || !is_comparison(static_cast<Word>(here().what))) {
+    if (!is_kind(OperandKind::kWord) || !is_comparison(static_cast<Word>(here().what))) {
       return expected("one of = <> < <= > >=");
     }
     ++at_;
@@ -207,7 +209,7 @@ bool OperandGrammar::match_element() noexcept {
 }
 
 bool OperandGrammar::match_io(std::uint32_t types, std::string_view what) noexcept {
-  if (at_end() || here().kind != OperandKind::kIo || (types >> here().what & 1U) == 0) return expected(what);
+  if (!is_kind(OperandKind::kIo) || (types >> here().what & 1U) == 0) return expected(what);
   skip();
   return true;
 }
@@ -220,7 +222,7 @@ bool OperandGrammar::match_frame() noexcept {
 
 bool OperandGrammar::match_jump() noexcept {
   if (take(Word::kLabelOf)) return match_value();
-  if (!at_end() && (here().kind == OperandKind::kLabel || here().kind == OperandKind::kJob)) {
+  if (is_kind(OperandKind::kLabel) || is_kind(OperandKind::kJob)) {
     ++at_;
     return true;
   }

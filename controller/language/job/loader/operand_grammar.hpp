@@ -18,6 +18,7 @@ class OperandGrammar {
   [[nodiscard]] const LexProblem& problem() const noexcept { return problem_; }
 
  private:
+  [[nodiscard]] bool is_left_out(char letter) const noexcept;
   [[nodiscard]] bool match(char letter, const Instruction& instruction) noexcept;
   [[nodiscard]] bool match_move_target() noexcept;
   [[nodiscard]] bool match_variable(std::uint32_t types, std::string_view expected) noexcept;
@@ -40,8 +41,9 @@ class OperandGrammar {
 
   [[nodiscard]] bool at_end() const noexcept { return at_ >= line_.count; }
   [[nodiscard]] const Operand& here() const noexcept { return line_.operands[at_]; }
+  [[nodiscard]] bool is_kind(OperandKind kind) const noexcept { return !at_end() && here().kind == kind; }
   [[nodiscard]] bool is_word(Word word) const noexcept {
-    return !at_end() && here().kind == OperandKind::kWord && here().what == static_cast<std::uint8_t>(word);
+    return is_kind(OperandKind::kWord) && here().what == static_cast<std::uint8_t>(word);
   }
   [[nodiscard]] bool take(Word word) noexcept;
   void skip() noexcept;  // the operand here with its index
