@@ -99,7 +99,25 @@ void Simulation::step(Cycles until) {
   if (over_) return;
   const Cycles next = std::clamp(next_event(), now() + Cycles{1}, std::min(end, until));
   if (wave_.is_open()) software_.show(*processor_, access_, triggers_ - 1, telemetry_.state);
-  if (soc_->advance(next, StopOn::kPinChange)) on_pins_changed();
+  move_arm(next);
+}
+
+// Runs to `until`, or until something happens that concerns more than pulses, drives and encoders.
+void Simulation::move_arm(Cycles until) {
+  for (;;) {
+    const Cycles next = std::clamp(plant_.next_event(), now() + Cycles{1}, until);
+    const bool others = soc_->advance(next, StopOn::kPinChange) && on_pins_changed();
+    if (others || over_ || now() >= until || soc_->has_response()) return;
+    if (plant_.next_event() <= now()) advance_plant();
+    if (over_) return;
+  }
+}
+
+void Simulation::advance_plant() {
+  plant_.advance(now());
+  drive_inputs();
+  report_servo_enables();
+  if (const auto& violation = plant_.violation()) fail(describe(*violation));
 }
 
 void Simulation::interrupt() {
@@ -135,8 +153,9 @@ void Simulation::end_with_program() {
   }
 }
 
+// Of everything but the logic and the plant.
 Cycles Simulation::next_event() const {
-  Cycles next = plant_.next_event();
+  Cycles next = kNever;
   const auto consider = [&next](std::optional<Cycles> event) {
     if (event && *event < next) next = *event;
   };
@@ -149,12 +168,7 @@ Cycles Simulation::next_event() const {
 
 void Simulation::deliver_due_events() {
   wave_.advance(now(), *soc_);
-  if (plant_.next_event() <= now()) {
-    plant_.advance(now());
-    drive_inputs();
-    report_servo_enables();
-    if (const auto& violation = plant_.violation()) fail(describe(*violation));
-  }
+  if (plant_.next_event() <= now()) advance_plant();
   while (const auto action = script_.pop_due(now())) act(*action);
   if (serial_) advance_serial();
   if (const auto response = soc_->pop_response()) finish_access(*response);
@@ -241,8 +255,13 @@ void Simulation::read_host_memory() {
   if (host_.lost_events() != 0) fail("the host memory of the controller had no room for an event");
 }
 
-void Simulation::on_pins_changed() {
+// Returns whether a pin has changed that concerns more than the plant.
+bool Simulation::on_pins_changed() {
   const SocOutputs& out = soc_->outputs();
+  SocOutputs others = std::exchange(seen_, out);
+  others.step = out.step;
+  others.dir = out.dir;
+  others.heartbeat = out.heartbeat;
   plant_.on_outputs(now(), out);
   conservation_.on_outputs(out);
   if (serial_) serial_->on_level(now(), out.uart_txd);
@@ -251,9 +270,11 @@ void Simulation::on_pins_changed() {
   report_servo_enables();
   if (out.trigger && !trigger_was_high_) on_trigger();
   trigger_was_high_ = out.trigger;
-  if (out.irq == interrupts_) return;
-  processor_->set_interrupts(interrupts_ = out.irq, now());
-  read_host_memory();
+  if (out.irq != interrupts_) {
+    processor_->set_interrupts(interrupts_ = out.irq, now());
+    read_host_memory();
+  }
+  return others != out;
 }
 
 void Simulation::report_servo_enables() {

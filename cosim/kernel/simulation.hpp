@@ -79,6 +79,8 @@ class Simulation final {
 
  private:
   void step(Cycles until);
+  void move_arm(Cycles until);
+  void advance_plant();
   [[nodiscard]] Cycles next_event() const;
   void end_with_program();
   void connect_serial_line(SerialPeer* peer);
@@ -92,7 +94,7 @@ class Simulation final {
   void feed_program();
   void drop_program(Refusal reason);
   void read_host_memory();
-  void on_pins_changed();
+  bool on_pins_changed();
   void report_outputs(std::uint16_t levels);
   void report_servo_enables();
   [[nodiscard]] std::int64_t belt_counts() const;
@@ -122,6 +124,7 @@ class Simulation final {
   Cycles access_since_{};
   std::array<Cycles, 2> bus_time_{};       // of each core, in finished accesses
   std::array<CoreLoad, 2> load_before_{};  // until the latest trigger
+  SocOutputs seen_;                        // at the latest change
   std::uint8_t interrupts_ = 0;            // as the processor knows them
   std::uint16_t tool_inputs_ = 0;
   std::uint16_t tool_outputs_ = 0;  // as reported

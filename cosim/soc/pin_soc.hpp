@@ -24,6 +24,7 @@ class PinSoc final : public Soc {
 
   [[nodiscard]] bool idle() const override { return master_.idle() && !response_; }
   std::optional<Cycles> start(const BusRequest& request) override;  // always none: the end is not known in advance
+  [[nodiscard]] bool has_response() const override { return response_.has_value(); }
   std::optional<BusResponse> pop_response() override;
   [[nodiscard]] Cycles access_timeout() const override { return access_timeout_; }
 

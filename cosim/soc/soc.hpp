@@ -55,6 +55,9 @@ class Soc {
   // advance, else none. A client must not depend on it: advance() stops at that cycle in either case.
   virtual std::optional<Cycles> start(const BusRequest& request) = 0;
 
+  // Whether a response waits for pop_response().
+  [[nodiscard]] virtual bool has_response() const = 0;
+
   // Removes and returns the response. It is available from the cycle in which the processor receives it.
   virtual std::optional<BusResponse> pop_response() = 0;
 

@@ -124,6 +124,7 @@ TEST(FaultInjector, StopsTheClockUntilTheLastOfSeveralEnds) {
     bool advance(Cycles, StopOn) override { return ADD_FAILURE(), false; }
     [[nodiscard]] bool idle() const override { return true; }
     std::optional<Cycles> start(const BusRequest&) override { return ADD_FAILURE(), std::nullopt; }
+    [[nodiscard]] bool has_response() const override { return false; }
     std::optional<BusResponse> pop_response() override { return ADD_FAILURE(), std::nullopt; }
     [[nodiscard]] Cycles access_timeout() const override { return {}; }
     void set_inputs(const SocInputs&) override { ADD_FAILURE(); }
