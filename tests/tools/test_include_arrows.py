@@ -91,6 +91,7 @@ COSIM = {
     "fabric": {"time", "logic"},
     "bus": {"time", "logic", "fabric"},
     "soc": {"logic", "fabric", "bus"},
+    "model": {"logic", "fabric", "bus", "soc"},
     "cpu": {"bus"},
     "plant": {"logic", "robot"},
     "fault": {"time", "logic", "soc", "cpu", "plant"},
@@ -126,7 +127,7 @@ COSIM = {
     "run": {"time", "text", "net", "soc", "serial", "trace", "scenario", "golden", "report", "kernel"},
     "serve": {"text", "net", "logic", "soc"},
 }
-COSIM["cli"] = COSIM.keys() - {"keydoc", "kernel", "bus", "cpu", "plant", "fault", "check"}
+COSIM["cli"] = COSIM.keys() - {"keydoc", "kernel", "bus", "cpu", "plant", "fault", "check", "model"}
 # The rooms of cosim/report: what is measured, the list of facts, what [expect] says about them, how they are written.
 REPORT = {
     "measure": set(),

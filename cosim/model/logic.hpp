@@ -1,0 +1,127 @@
+// All blocks of a variant with their connections, without the bus: register accesses come as strobes of single edges.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <utility>
+
+#include "controller/regs/soc_map.hpp"
+#include "cosim/logic/logic_spec.hpp"
+#include "cosim/logic/pins.hpp"
+#include "cosim/model/block.hpp"
+#include "cosim/model/gpio/axi_gpio.hpp"
+#include "cosim/model/slot.hpp"
+#include "cosim/model/timer/axi_timer.hpp"
+#include "cosim/model/uart/axi_uart16550.hpp"
+#include "cosim/model/variants.hpp"
+
+namespace armature::cosim::model {
+
+// Variant: CountsVariant or PaperVariant.
+template <class Variant>
+class Logic {
+ public:
+  static constexpr std::size_t kBlocks = Variant::kBases.size();
+  using Accesses = std::array<Strobes, kBlocks>;  // by port of the crossbar, as kBases
+  using Answers = std::array<Answer, kBlocks>;
+
+  void set_inputs(const SocInputs& inputs) { in_ = inputs; }
+  [[nodiscard]] const SocInputs& inputs() const { return in_; }
+  [[nodiscard]] const SocOutputs& outputs() const { return outputs_; }
+  [[nodiscard]] Cycles now() const { return now_; }  // the latest edge
+
+  // The next edge that must be computed if it has no access.
+  [[nodiscard]] Cycles wakes_at() const {
+    return std::min({gpio_.wakes_at(now_, gpio_inputs()), timer_.wakes_at(now_, timer_inputs()),
+                     uart_.wakes_at(now_, uart_inputs()), pulses_.wakes_at(now_, pulse_inputs()),
+                     variant_.wakes_at(now_, in_, decoder_inputs())});
+  }
+
+  // Edges up to `until` that need not be computed.
+  void pass(Cycles until) { now_ = until; }
+
+  // The next edge. Returns whether an output has changed.
+  bool edge(const Accesses& access, Answers& answers) {
+    now_ += Cycles{1};
+    // All levels before the edge.
+    const PulseInputs pulses = pulse_inputs();
+    const DecoderInputs decoder = decoder_inputs();
+    answers[0] = gpio_.edge(now_, gpio_inputs(), access[0]);
+    answers[1] = timer_.edge(now_, timer_inputs(), access[1]);
+    answers[2] = uart_.edge(now_, uart_inputs(), access[2]);
+    answers[3] = pulses_.edge(now_, pulses, access[3]);
+    variant_.edge(now_, in_, decoder, &access[4], &answers[4]);
+    const SocOutputs before = std::exchange(outputs_, sample());
+    return before != outputs_;
+  }
+
+  void stop_clock_of(ClockGroup group) {
+    if (group == ClockGroup::kIo) {
+      gpio_.stop_gated_clock();
+      uart_.stop_gated_clock();
+    } else if (group == ClockGroup::kMotion) {
+      timer_.stop_gated_clock();
+      pulses_.stop_gated_clock();
+    }
+    variant_.stop_clock_of(group);
+  }
+
+  // The ports of the blocks that have the gated clock of `group`, one bit each.
+  [[nodiscard]] static constexpr std::uint32_t ports_of(ClockGroup group) {
+    constexpr std::uint32_t kSwitch = kBlocks > 5 ? 1u << 5 : 0u;
+    return group == ClockGroup::kIo ? 0b101u : group == ClockGroup::kMotion ? 0b1010u | kSwitch : 0b10000u;
+  }
+
+ private:
+  [[nodiscard]] GpioInputs gpio_inputs() const { return {.gpio1 = in_.gpio1, .gpio2 = in_.gpio}; }
+  [[nodiscard]] TimerInputs timer_inputs() const { return {.capture_trig = in_.capture_trig}; }
+  [[nodiscard]] UartInputs uart_inputs() const {
+    return {.rxd = in_.uart_rxd,
+            .cts_n = in_.uart_cts_n,
+            .dsr_n = in_.uart_dsr_n,
+            .dcd_n = in_.uart_dcd_n,
+            .ri_n = in_.uart_ri_n};
+  }
+  [[nodiscard]] PulseInputs pulse_inputs() const {
+    return {.trigger = outputs_.trigger,
+            .estop_n = in_.estop_n,
+            .home = in_.home,
+            .limit_pos = in_.limit_pos,
+            .limit_neg = in_.limit_neg,
+            .drive_alarm = in_.drive_alarm,
+            .in_position = in_.in_position};
+  }
+  [[nodiscard]] DecoderInputs decoder_inputs() const {
+    return {.trigger = outputs_.trigger, .servo_on = outputs_.servo_on};
+  }
+
+  [[nodiscard]] SocOutputs sample() const {
+    const auto& pulses = pulses_.block();
+    const auto irq = [](bool level, std::uint32_t line) { return (level ? 1u : 0u) << line; };
+    return {.step = pulses.step(),
+            .dir = pulses.dir(),
+            .servo_on = pulses.servo_on(),
+            .heartbeat = pulses.heartbeat(),
+            .uart_txd = uart_.block().txd(),
+            .uart_rts_n = uart_.block().rts_n(),
+            .uart_dtr_n = uart_.block().dtr_n(),
+            .gpio = gpio_.block().driven(),
+            .pwm = timer_.block().pwm(),
+            .trigger = timer_.block().trigger(),
+            .irq = static_cast<std::uint8_t>(irq(gpio_.block().irq(), regs::soc::kAxiGpioIrq) |
+                                             irq(timer_.block().irq(), regs::soc::kAxiTimerIrq) |
+                                             irq(uart_.block().irq(), regs::soc::kAxiUart16550Irq))};
+  }
+
+  SocInputs in_;
+  Slot<AxiGpio, GpioInputs> gpio_;
+  Slot<AxiTimer, TimerInputs> timer_;
+  Slot<AxiUart16550, UartInputs> uart_;
+  Slot<typename Variant::Pulses, PulseInputs> pulses_;
+  Variant variant_;
+  SocOutputs outputs_ = sample();
+  Cycles now_{};
+};
+
+}  // namespace armature::cosim::model

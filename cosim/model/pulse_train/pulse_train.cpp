@@ -1,0 +1,239 @@
+#include "cosim/model/pulse_train/pulse_train.hpp"
+
+#include <algorithm>
+
+#include "controller/regs/pulse_train_regs.hpp"
+
+namespace armature::cosim::model {
+namespace train_regs = armature::regs::pulse_train;
+namespace {
+
+constexpr std::int32_t kMaxCount = 200;
+constexpr std::uint32_t kEstopFault = train_regs::kFaultEstopMask, kWatchdogFault = train_regs::kFaultWatchdogMask,
+                        kUnderrunFault = train_regs::kFaultUnderrunMask,
+                        kResidualFault = train_regs::kFaultResidualMask, kClippedFault = train_regs::kFaultClippedMask,
+                        kRecommitFault = train_regs::kFaultRecommitMask;
+
+}  // namespace
+
+StopControl::Inputs PulseTrain::stop_inputs(bool trigger) const {
+  return {.pin_low = pins_.ago(2).estop,
+          .stop = orders_.stop,
+          .clear_estop = orders_.clear_estop,
+          .clear_watchdog = orders_.clear_watchdog,
+          .trigger = trigger,
+          .run = run_,
+          .pending = bank_.pending,
+          .limit = limit_,
+          .tick = times_.tick};
+}
+
+Answer PulseTrain::edge(Cycles at, const Strobes& access, const PulseInputs& in) {
+  const StopControl::Inputs control = stop_inputs(in.trigger);
+  const bool stopped = stop_.stops(control);
+  Answer answer;
+  if (gated_clock_stopped_) {
+    run_axes(at, in.trigger, stopped);
+    pins_.sample(arm_pins(in));
+    find_wake(at, in);
+    return answer;
+  }
+  if (access.read) answer = read(at, word_offset(access.raddr));
+  const std::uint8_t servo_pins = stop_.estop() || stop_.watchdog() ? std::uint8_t{0} : servo_on_;
+
+  const std::uint32_t late_events = (clipped_ ? kClippedFault : 0u) | (residual_ ? kResidualFault : 0u);
+  const bool recommit = orders_.commit && !stopped && bank_.pending && !in.trigger;
+  clipped_ = residual_ = false;
+  if (in.trigger) snapshot();
+  run_axes(at, in.trigger, stopped);
+  const StopControl::Events events = stop_.edge(at, control);
+  move_bank(in.trigger, stopped);
+  pins_.sample(arm_pins(in));
+  orders_ = {};
+  cleared_faults_ = 0;
+  if (access.write) answer.werr = write(access);
+  servo_pins_ = servo_pins;
+  faults_.edge(at,
+               late_events | (events.estop ? kEstopFault : 0u) | (events.watchdog ? kWatchdogFault : 0u) |
+                   (events.underrun ? kUnderrunFault : 0u) | (recommit ? kRecommitFault : 0u),
+               cleared_faults_);
+  find_wake(at, in);
+  return answer;
+}
+
+void PulseTrain::run_axes(Cycles at, bool trigger, bool stopped) {
+  if (!trigger && !stopped && at < axes_wake_at_) return;
+  std::uint8_t step = 0, dir = 0;
+  for (std::size_t i = 0; i < kAxes; ++i) {
+    PulseAxis& axis = axes_[i];
+    axis.edge(at, times_, trigger, stopped);
+    if (trigger) axis.begin_tick(at, times_, bank_.pending && !stopped ? bank_.counts[i] : 0, stopped);
+    step |= static_cast<std::uint8_t>(axis.step() << i);
+    dir |= static_cast<std::uint8_t>(axis.positive() << i);
+  }
+  step_ = step;
+  dir_ = dir;
+}
+
+// The trigger copies the counters of the tick that ends.
+void PulseTrain::snapshot() {
+  for (std::size_t i = 0; i < kAxes; ++i) {
+    emitted_[i] = axes_[i].emitted();
+    residuals_[i] += static_cast<std::uint32_t>(axes_[i].unfinished());
+    residual_ = residual_ || axes_[i].unfinished() != 0;
+  }
+}
+
+void PulseTrain::move_bank(bool trigger, bool stopped) {
+  if (stopped) {
+    bank_.pending = false;
+  } else {
+    if (trigger && bank_.pending) active_sequence_ = bank_.sequence;
+    if (trigger || orders_.commit) bank_.pending = orders_.commit;
+    if (orders_.commit) bank_.sequence = sequence_;
+  }
+  if (!orders_.commit) return;
+  for (std::size_t i = 0; i < kAxes; ++i) {
+    const std::int32_t count = static_cast<std::int16_t>(staged_[i]);
+    bank_.counts[i] = std::clamp(count, -kMaxCount, kMaxCount);
+    clipped_ = clipped_ || (bank_.counts[i] != count && !stopped);
+  }
+}
+
+void PulseTrain::find_wake(Cycles at, const PulseInputs& in) {
+  const StopControl::Inputs control = stop_inputs(in.trigger);
+  const bool stops = stop_.stops(control);
+  axes_wake_at_ = kNever;
+  bool running = false;
+  for (const PulseAxis& axis : axes_) {
+    axes_wake_at_ = std::min(axes_wake_at_, axis.wakes_at(times_));
+    running = running || axis.is_running();
+  }
+  const bool locked_out = stop_.estop() || stop_.watchdog();
+  const bool due = in.trigger || orders_.any() || clipped_ || residual_ || !pins_.are_settled(arm_pins(in)) ||
+                   (stops && (running || bank_.pending)) || servo_pins_ != (locked_out ? 0 : servo_on_);
+  wakes_at_ = due ? at + Cycles{1} : std::min(axes_wake_at_, stop_.wakes_at(at, control));
+}
+
+Answer PulseTrain::read(Cycles at, std::uint32_t offset) const {
+  const auto element = [offset](std::uint32_t first) { return (offset - first) / 4; };
+  const auto is_in = [&](std::uint32_t first) { return offset >= first && element(first) < kAxes; };
+  if (is_in(train_regs::kCountOffset)) return {.rdata = staged_[element(train_regs::kCountOffset)]};
+  if (is_in(train_regs::kEmittedOffset)) return {.rdata = emitted_[element(train_regs::kEmittedOffset)]};
+  if (is_in(train_regs::kResidualOffset)) return {.rdata = residuals_[element(train_regs::kResidualOffset)]};
+  if (is_in(train_regs::kFaultTimeOffset)) return {.rdata = faults_.time(element(train_regs::kFaultTimeOffset))};
+  const ArmPins& pins = pins_.ago(2);
+  const auto word = [](auto... fields) { return Answer{.rdata = (0u | ... | fields)}; };
+  using armature::regs::insert;
+  switch (offset) {
+    case train_regs::kIdOffset:
+      return word(train_regs::kIdWord);
+    case train_regs::kCtrlOffset:
+      return word(insert(0, train_regs::kCtrlServoOn, servo_on_), insert(0, train_regs::kCtrlRun, run_));
+    case train_regs::kStatusOffset:
+      return word(
+          insert(0, train_regs::kStatusEstop, stop_.estop()), insert(0, train_regs::kStatusWatchdog, stop_.watchdog()),
+          insert(0, train_regs::kStatusEstopPin, pins.estop), insert(0, train_regs::kStatusPending, bank_.pending),
+          insert(0, train_regs::kStatusSequence, active_sequence_));
+    case train_regs::kEstopOffset:
+      return word(0u);
+    case train_regs::kFaultOffset:
+      return word(faults_.flags());
+    case train_regs::kWatchdogOffset:
+      return word(insert(0, train_regs::kWatchdogLimit, limit_),
+                  insert(0, train_regs::kWatchdogInARow, stop_.in_a_row()),
+                  insert(0, train_regs::kWatchdogIdleTicks, stop_.idle_ticks()));
+    case train_regs::kUnderrunsOffset:
+      return word(stop_.underruns());
+    case train_regs::kTickCyclesOffset:
+      return word(static_cast<std::uint32_t>(times_.tick.value()));
+    case train_regs::kDirSetupOffset:
+      return word(static_cast<std::uint32_t>(times_.dir_setup.value()));
+    case train_regs::kDirHoldOffset:
+      return word(static_cast<std::uint32_t>(times_.dir_hold.value()));
+    case train_regs::kCommitOffset:
+      return word(std::uint32_t{sequence_});
+    case train_regs::kTimeOffset:
+      return word(static_cast<std::uint32_t>(at.value() - 1));
+    case train_regs::kSwitchesOffset:
+      return word(insert(0, train_regs::kSwitchesHome, pins.home),
+                  insert(0, train_regs::kSwitchesLimitPos, pins.limit_pos),
+                  insert(0, train_regs::kSwitchesLimitNeg, pins.limit_neg));
+    case train_regs::kDrivesOffset:
+      return word(insert(0, train_regs::kDrivesAlarm, pins.drive_alarm),
+                  insert(0, train_regs::kDrivesInPosition, pins.in_position));
+    case train_regs::kKeyOffset:
+      return word(std::uint32_t{unlocked_});
+    default:
+      return kUnmappedRead;
+  }
+}
+
+bool PulseTrain::write(const Strobes& access) {
+  const std::uint32_t offset = word_offset(access.waddr);
+  const bool locked = servo_pins_ != 0 && !unlocked_;
+  if (offset >= train_regs::kCountOffset && offset < train_regs::kCountOffset + 4 * kAxes) {
+    std::uint16_t& staged = staged_[(offset - train_regs::kCountOffset) / 4];
+    staged = static_cast<std::uint16_t>(merged(staged, access));
+    return false;
+  }
+  const std::uint32_t ones = merged(0, access);  // bits that are written as 1
+  switch (offset) {
+    case train_regs::kCtrlOffset:
+      return write_ctrl(access, locked);
+    case train_regs::kEstopOffset:
+      orders_.stop = (ones & train_regs::kEstopStopMask) != 0;
+      orders_.clear_estop = (ones & train_regs::kEstopClearEstopMask) != 0;
+      orders_.clear_watchdog = (ones & train_regs::kEstopClearWatchdogMask) != 0;
+      return false;
+    case train_regs::kFaultOffset:
+      cleared_faults_ = ones;
+      return false;
+    case train_regs::kCommitOffset:
+      sequence_ = static_cast<std::uint16_t>(merged(sequence_, access));
+      orders_.commit = access.wstrb != 0;
+      return false;
+    case train_regs::kKeyOffset:
+      unlocked_ = access.wstrb == 0xF && access.wdata == train_regs::kKeyWord;
+      return false;
+    default:
+      return write_protected(access, locked);
+  }
+}
+
+// While locked, CTRL.run can be set but not cleared.
+bool PulseTrain::write_ctrl(const Strobes& access, bool locked) {
+  using armature::regs::extract;
+  const std::uint32_t old = armature::regs::insert(servo_on_, train_regs::kCtrlRun, run_);
+  const std::uint32_t word = merged(old, access);
+  servo_on_ = static_cast<std::uint8_t>(extract(word, train_regs::kCtrlServoOn));
+  const bool run = extract(word, train_regs::kCtrlRun) != 0;
+  const bool refused = locked && run_ && !run;
+  run_ = run || refused;
+  return refused;
+}
+
+bool PulseTrain::write_protected(const Strobes& access, bool locked) {
+  using armature::regs::extract;
+  const auto put = [&](Cycles& value, armature::regs::Field field) {
+    value = Cycles{extract(merged(static_cast<std::uint32_t>(value.value()), access), field)};
+  };
+  switch (word_offset(access.waddr)) {
+    case train_regs::kWatchdogOffset:
+      if (!locked) limit_ = extract(merged(limit_, access), train_regs::kWatchdogLimit);
+      return locked;
+    case train_regs::kTickCyclesOffset:
+      if (!locked) put(times_.tick, train_regs::kTickCyclesValue);
+      return locked;
+    case train_regs::kDirSetupOffset:
+      if (!locked) put(times_.dir_setup, train_regs::kDirSetupValue);
+      return locked;
+    case train_regs::kDirHoldOffset:
+      if (!locked) put(times_.dir_hold, train_regs::kDirHoldValue);
+      return locked;
+    default:
+      return true;
+  }
+}
+
+}  // namespace armature::cosim::model

@@ -1,0 +1,82 @@
+// Model of the block pulse_train: six generators that start together on the trigger, with commit, stops, snapshots and
+// faults. Written from rtl/REGISTERS.md and rtl/pulse_train/README.md.
+//
+// A register that is written at an edge acts from the next edge on. The servo enables follow their register one edge
+// later. Edge `at` has the TIME at - 1.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "controller/base/axes.hpp"
+#include "cosim/model/arm_pins.hpp"
+#include "cosim/model/block.hpp"
+#include "cosim/model/fault_flags.hpp"
+#include "cosim/model/pin_samples.hpp"
+#include "cosim/model/pulse_train/pulse_axis.hpp"
+#include "cosim/model/stop_control.hpp"
+
+namespace armature::cosim::model {
+
+class PulseTrain {
+ public:
+  Answer edge(Cycles at, const Strobes& access, const PulseInputs& in);
+  [[nodiscard]] Cycles wakes_at() const { return wakes_at_; }
+
+  [[nodiscard]] std::uint8_t step() const { return step_; }
+  [[nodiscard]] std::uint8_t dir() const { return dir_; }
+  [[nodiscard]] std::uint8_t servo_on() const { return servo_pins_; }
+  [[nodiscard]] bool heartbeat() const { return stop_.heartbeat(); }
+
+  // The clock of everything but generators, TIME and synchronisers stands still from now on.
+  void stop_gated_clock() { gated_clock_stopped_ = true; }
+
+ private:
+  // What a write leaves for the next edge.
+  struct Orders {
+    bool stop = false, clear_estop = false, clear_watchdog = false, commit = false;
+
+    [[nodiscard]] bool any() const { return stop || clear_estop || clear_watchdog || commit; }
+  };
+  struct Bank {
+    PerAxis<std::int32_t> counts{};
+    std::uint16_t sequence = 0;
+    bool pending = false;
+  };
+
+  [[nodiscard]] StopControl::Inputs stop_inputs(bool trigger) const;
+  [[nodiscard]] Answer read(Cycles at, std::uint32_t offset) const;
+  [[nodiscard]] bool write(const Strobes& access);  // returns whether it is refused
+  [[nodiscard]] bool write_ctrl(const Strobes& access, bool locked);
+  [[nodiscard]] bool write_protected(const Strobes& access, bool locked);
+  void run_axes(Cycles at, bool trigger, bool stopped);
+  void snapshot();
+  void move_bank(bool trigger, bool stopped);
+  void find_wake(Cycles at, const PulseInputs& in);
+
+  PerAxis<PulseAxis> axes_{};
+  PulseAxis::Times times_;
+  Cycles axes_wake_at_ = kNever;
+  StopControl stop_;
+  PinSamples<ArmPins, 2> pins_;
+  FaultFlags<6> faults_;
+  Bank bank_;
+  Orders orders_;
+  bool clipped_ = false, residual_ = false;  // events of the edge before
+  std::uint8_t step_ = 0, dir_ = 0, servo_pins_ = 0;
+  std::uint16_t active_sequence_ = 0;
+  PerAxis<std::uint32_t> emitted_{}, residuals_{};  // snapshots of the last trigger
+  Cycles wakes_at_ = Cycles{1};
+  bool gated_clock_stopped_ = false;
+
+  // Registers.
+  std::uint8_t servo_on_ = 0;
+  bool run_ = false;
+  bool unlocked_ = false;
+  std::uint32_t limit_ = 4;
+  std::uint16_t sequence_ = 0;
+  PerAxis<std::uint16_t> staged_{};
+  std::uint32_t cleared_faults_ = 0;  // by the write of this edge
+};
+
+}  // namespace armature::cosim::model

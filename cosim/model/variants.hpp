@@ -1,0 +1,85 @@
+// What the two variants of the logic do not share: the pulse generators and the decoders.
+//
+//   kBases       base addresses of all blocks: gpio, timer, uart, pulses, then those of edge()
+//   edge()       the edge `at` of the other blocks, with the accesses and answers of kBases[4], kBases[5] ...
+//   wakes_at()   the next edge that one of them must compute, after the edge `now`
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "controller/regs/soc_map.hpp"
+#include "cosim/logic/logic_spec.hpp"
+#include "cosim/logic/pins.hpp"
+#include "cosim/model/encoder/encoder.hpp"
+#include "cosim/model/paper/encoder_switch.hpp"
+#include "cosim/model/paper/pulse_width.hpp"
+#include "cosim/model/pulse_train/pulse_train.hpp"
+#include "cosim/model/slot.hpp"
+
+namespace armature::cosim::model {
+
+// What the decoders see of the other blocks.
+struct DecoderInputs {
+  bool trigger = false;
+  std::uint8_t servo_on = 0;
+};
+
+class CountsVariant {
+ public:
+  using Pulses = PulseTrain;
+  static constexpr std::array kBases{regs::soc::kAxiGpioBase, regs::soc::kAxiTimerBase, regs::soc::kAxiUart16550Base,
+                                     regs::soc::kPulseTrainBase, regs::soc::kEncoderBase};
+
+  void edge(Cycles at, const SocInputs& pins, const DecoderInputs& in, const Strobes* access, Answer* answers) {
+    answers[0] = encoder_.edge(at, inputs(pins, in), access[0]);
+  }
+  [[nodiscard]] Cycles wakes_at(Cycles now, const SocInputs& pins, const DecoderInputs& in) const {
+    return encoder_.wakes_at(now, inputs(pins, in));
+  }
+  void stop_clock_of(ClockGroup group) {
+    if (group == ClockGroup::kEncoder) encoder_.stop_gated_clock();
+  }
+
+ private:
+  [[nodiscard]] static EncoderInputs inputs(const SocInputs& pins, const DecoderInputs& in) {
+    return {.a = pins.enc_a, .b = pins.enc_b, .z = pins.enc_z, .servo_on = in.servo_on, .trigger = in.trigger};
+  }
+
+  Slot<Encoder<6>, EncoderInputs> encoder_;
+};
+
+class PaperVariant {
+ public:
+  using Pulses = PulseWidth;
+  static constexpr std::array kBases{regs::soc::kAxiGpioBase,      regs::soc::kAxiTimerBase,
+                                     regs::soc::kAxiUart16550Base, regs::soc::kPulseWidthBase,
+                                     regs::soc::kEncoderBase,      regs::soc::kEncoderSwitchBase};
+
+  void edge(Cycles at, const SocInputs& pins, const DecoderInputs& in, const Strobes* access, Answer* answers) {
+    answers[0] = decoder_.edge(at, inputs(in), access[0]);  // it sees the lines as they are before the edge
+    answers[1] = switch_.edge(at, lines(pins), access[1]);
+  }
+  [[nodiscard]] Cycles wakes_at(Cycles now, const SocInputs& pins, const DecoderInputs& in) const {
+    return std::min(decoder_.wakes_at(now, inputs(in)), switch_.wakes_at(now, lines(pins)));
+  }
+  void stop_clock_of(ClockGroup group) {
+    if (group == ClockGroup::kEncoder) decoder_.stop_gated_clock();
+    if (group == ClockGroup::kMotion) switch_.stop_gated_clock();
+  }
+
+ private:
+  [[nodiscard]] EncoderInputs inputs(const DecoderInputs& in) const {
+    const EncoderSwitch& chosen = switch_.block();
+    return {.a = chosen.a(), .b = chosen.b(), .z = chosen.z(), .servo_on = in.servo_on, .trigger = in.trigger};
+  }
+  [[nodiscard]] static EncoderSwitchInputs lines(const SocInputs& pins) {
+    return {.a = pins.enc_a, .b = pins.enc_b, .z = pins.enc_z};
+  }
+
+  Slot<Encoder<1>, EncoderInputs> decoder_;
+  Slot<EncoderSwitch, EncoderSwitchInputs> switch_;
+};
+
+}  // namespace armature::cosim::model

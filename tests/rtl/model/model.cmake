@@ -1,0 +1,40 @@
+# Each model of cosim/model against its verilated block, and broken models that this must find.
+set(woven_models ${CMAKE_CURRENT_BINARY_DIR}/woven_models)
+file(GLOB model_sources CONFIGURE_DEPENDS ${ARMATURE_ROOT}/cosim/model/*.?pp ${ARMATURE_ROOT}/cosim/model/*/*.?pp)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${model_sources} ${CMAKE_CURRENT_LIST_DIR}/mutants.toml
+             ${CMAKE_CURRENT_LIST_DIR}/weave.py)
+execute_process(COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_LIST_DIR}/weave.py ${woven_models}
+                COMMAND_ERROR_IS_FATAL ANY)
+
+# add_block_lockstep(<block> MODEL <verilated model>... SOURCES <source below cosim/model>...)
+#   The test program <block>_lockstep_test from model/<block>_lockstep_test.cpp. model_mutants_<block> is the same program
+#   with the broken models.
+function(add_block_lockstep BLOCK)
+  cmake_parse_arguments(BLOCK "" "" "MODEL;SOURCES" ${ARGN})
+  set(sources bus_port.cpp ${BLOCK_SOURCES})
+  list(TRANSFORM sources PREPEND ${ARMATURE_ROOT}/cosim/model/ OUTPUT_VARIABLE healthy)
+  list(TRANSFORM sources PREPEND ${woven_models}/cosim/model/ OUTPUT_VARIABLE woven)
+  set(test ${CMAKE_CURRENT_SOURCE_DIR}/model/${BLOCK}_lockstep_test.cpp)
+  add_rtl_test(${BLOCK}_lockstep_test MODELS ${BLOCK_MODEL} SOURCES ${test} ${healthy})
+
+  add_executable(model_mutants_${BLOCK} EXCLUDE_FROM_ALL ${test} ${woven})
+  target_include_directories(model_mutants_${BLOCK} BEFORE PRIVATE ${woven_models})
+  target_link_libraries(model_mutants_${BLOCK} PRIVATE armature_flags ${BLOCK_MODEL} GTest::gtest_main)
+  target_compile_options(model_mutants_${BLOCK} PRIVATE ${test_options} -Wno-shadow -Wno-parentheses)
+  get_target_property(reads ${BLOCK}_lockstep_test_objects ARMATURE_READS)
+  describe_gate(model_mutants.${BLOCK} TARGETS model_mutants_${BLOCK} ${reads} PACKAGES python3.11
+    INPUTS ${CMAKE_CURRENT_SOURCE_DIR}/model/mutants.toml ${CMAKE_CURRENT_SOURCE_DIR}/model/weave.py
+           ${ARMATURE_ROOT}/tests/mutants/expect_killed.py)
+endfunction()
+
+# add_model_mutant(<name> <number> <block> <GoogleTest filter>): passes if lock-step finds the mutant.
+function(add_model_mutant NAME NUMBER BLOCK KILLED_BY)
+  add_test(NAME model_mutant.${NAME} COMMAND Python3::Interpreter -B ${ARMATURE_ROOT}/tests/mutants/expect_killed.py
+                                             $<TARGET_FILE:model_mutants_${BLOCK}> ${NUMBER} ${KILLED_BY})
+  set_tests_properties(model_mutant.${NAME} PROPERTIES LABELS "mutant;gate:model_mutants.${BLOCK}")
+endfunction()
+
+foreach(block bus_port timer gpio uart encoder pulse_train pulse_width)
+  include(model/${block}.cmake)
+endforeach()
+include(${woven_models}/mutants.cmake)
