@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <stdexcept>
+#include <string>
 
 #include "controller/base/units.hpp"
 #include "cosim/logic/logic_spec.hpp"
@@ -28,6 +29,12 @@ struct AxiSlavePins {
 // Thrown by run() when a check inside the logic fails. The message of the check has been printed.
 struct LogicCheckFailed {
   Cycles cycle;
+};
+
+// Thrown by run() of fabrics in lock-step.
+struct EnginesDiffer {
+  Cycles cycle;
+  std::string what;  // the pin and both values
 };
 
 class SoftwareSignals;

@@ -19,9 +19,10 @@ void SoftwareTrace::add_to(VerilatedVcdC& vcd, const SoftwareSignals& signals) {
 }
 
 void SoftwareTrace::declare(void* self, VerilatedVcd* vcd, std::uint32_t code) {
-  static_cast<SoftwareTrace*>(self)->code_ = code;
+  auto& trace = *static_cast<SoftwareTrace*>(self);
+  trace.code_ = code;
   for (const SoftwareSignalRow& row : kSoftwareSignals) {
-    const std::string name = fmt::format("software {}", row.name);  // a blank ends the name of a scope
+    const std::string name = fmt::format("{} {}", trace.scope_, row.name);
     const std::uint32_t first = code + static_cast<std::uint32_t>(row.word);
     if (row.bits == 1) {
       vcd->declBit(first, name.c_str(), false, -1);

@@ -1,9 +1,11 @@
-// Adds the signals of the software to the waveforms of a verilated model.
+// Adds the signals of the software to a waveform.
 #pragma once
 
 #include <verilated_vcd_c.h>
 
 #include <cstdint>
+#include <string>
+#include <utility>
 
 #include "cosim/fabric/software_signals.hpp"
 
@@ -11,7 +13,8 @@ namespace armature::cosim {
 
 class SoftwareTrace {
  public:
-  SoftwareTrace() = default;
+  // `scope`: of the signals, with a blank between its parts.
+  explicit SoftwareTrace(std::string scope) : scope_{std::move(scope)} {}
   SoftwareTrace(const SoftwareTrace&) = delete;
   SoftwareTrace& operator=(const SoftwareTrace&) = delete;
 
@@ -24,6 +27,7 @@ class SoftwareTrace {
   static void write_changes(void* self, VerilatedVcd::Buffer* buffer);
   void write(VerilatedVcd::Buffer& buffer, bool all) const;  // otherwise only what has changed
 
+  std::string scope_;
   const SoftwareSignals* signals_ = nullptr;
   std::uint32_t code_ = 0;  // of the first word
 };

@@ -32,7 +32,6 @@ constexpr unsigned clock_of(ClockGroup group) {
 }
 
 constexpr int kTraceAllLevels = 99;
-constexpr std::uint64_t kCycleNs = 20;
 
 // Model: Varm_soc or Varm_soc_paper, which have the same pins.
 template <class Model>
@@ -154,7 +153,7 @@ class VerilatedFabric final : public Fabric {
   VerilatedContext context_;
   Model model_{&context_, ""};
   WaveFile file_;
-  SoftwareTrace software_;
+  SoftwareTrace software_{"software"};  // below the scope of the model, `top`
   VerilatedVcdC vcd_{&file_};
   std::int64_t cycle_ = 0;
   std::uint64_t pins_ = 0;

@@ -4,12 +4,16 @@
 
 #include <verilated_vcd_c.h>
 
+#include <cstdint>
 #include <cstdio>
 #include <string>
 
+#include "controller/base/timebase.hpp"
 #include "cosim/fabric/fabric.hpp"
 
 namespace armature::cosim {
+
+inline constexpr std::uint64_t kCycleNs = 1'000'000'000 / kClkFreqHz;  // duration of a cycle in a waveform
 
 class WaveFile final : public VerilatedVcdFile {
  public:

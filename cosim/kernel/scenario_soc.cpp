@@ -1,6 +1,6 @@
 #include "cosim/kernel/scenario_soc.hpp"
 
-#include "cosim/soc/make_soc.hpp"
+#include "cosim/engine/make_soc.hpp"
 
 namespace armature::cosim {
 

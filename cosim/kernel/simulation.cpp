@@ -87,6 +87,8 @@ bool Simulation::advance(Cycles until) {
     while (!over_ && now() < until) step(until);
   } catch (const LogicCheckFailed& failed) {
     fail(fmt::format("a check inside the logic failed at cycle {} (message above)", failed.cycle.value()));
+  } catch (const EnginesDiffer& difference) {
+    fail(fmt::format("the engines differ at cycle {}: {}", difference.cycle.value(), difference.what));
   }
   return !over_;
 }

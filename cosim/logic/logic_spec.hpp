@@ -18,10 +18,17 @@ enum class Variant : std::uint8_t {
   kPaper,   // as Vo 2021 describes it: half periods instead of counts, one decoder behind a switch
 };
 
-// The program that simulates the logic. All engines give the same results.
+// What computes the logic. All engines give the same results.
 enum class Engine : std::uint8_t {
-  kRtl,  // the verilated SystemVerilog
+  kRtl,       // the verilated SystemVerilog
+  kModel,     // an independent model of each block (cosim/model), computed from event to event
+  kLockstep,  // both; every pin is compared after every clock edge
 };
+inline constexpr std::string_view kEngineHelp =
+    "What computes the logic. `rtl`: the verilated SystemVerilog. `model`: an independent model of it, which is "
+    "faster. "
+    "`lockstep`: both, and the run fails at the first clock edge after which a pin differs. Results do not depend on "
+    "it.";
 
 // The blocks that share a gated clock: a bit of active_o. The crossbar, which
 // has the bit after them, is not one of them.

@@ -92,6 +92,10 @@ void Interpreter::answer(std::string_view line, std::string& out, const StopRequ
     broken_ = true;
     out.resize(begin);
     append(out, "error a check inside the logic failed at cycle {}; the server ends", failed.cycle.value());
+  } catch (const EnginesDiffer& difference) {
+    broken_ = true;
+    out.resize(begin);
+    append(out, "error the engines differ at cycle {}: {}; the server ends", difference.cycle.value(), difference.what);
   }
   out += '\n';
 }

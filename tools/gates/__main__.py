@@ -16,6 +16,7 @@ from session import BUILD, ROOT, Outcome, Session, command, say
 TEST, SANITIZED, GCC = (ROOT / "build" / name for name in ("test", "dev", "gcc"))
 FEW = {"ARMATURE_FEW_DRAWS": "1"}
 SHORT_FUZZ = {"ARMATURE_FUZZ_SECONDS": "5"}
+LOCKSTEP = {"ARMATURE_SCENARIO_ENGINE": "lockstep"}
 FEW_SCENARIOS = {"ARMATURE_RANDOM_SCENARIOS": "20"}
 MOST_NAMES = 6  # of gates in a message
 FOREIGN_INPUT = ["-L", "^foreign_input$"]
@@ -111,7 +112,7 @@ def all_changes(session: Session):
 def everything(session: Session):
     """tools/test --all: everything, in half an hour."""
     session.gate("style", lambda: command([ROOT / "tools/style"]))
-    environment = with_rs274()
+    environment = {**with_rs274(), **LOCKSTEP}
     if session.gate(BUILD, lambda: build(TEST, ["without_unit_tests", "recorded_gates"])):
         unit_tests = (TEST / "unit_tests.txt").read_text().split()  # they run with sanitizers
         groups = ["scenarios", "command line and page", "long tests", ctest.OTHERS]

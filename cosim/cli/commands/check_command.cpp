@@ -9,9 +9,14 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
+#include "controller/base/words.hpp"
 #include "cosim/cli/command/command.hpp"
+#include "cosim/cli/options/logic_options.hpp"
 #include "cosim/cli/options/output_files.hpp"
 #include "cosim/cli/options/output_options.hpp"
 #include "cosim/cli/options/value_kinds.hpp"
@@ -42,6 +47,7 @@ constexpr const char* kCheckDetails = R"(Examples:
   armature check scenarios   # a folder of scenarios: all of them
   armature check --junit results.xml
   armature check fig9_joint_move --report-dir reports
+  armature check fig9_joint_move --engine both
 
 Without names it checks the scenarios of all your folders that 'armature list' shows. If they have none, it checks those
 of the program. It prints one line with the verdict for each scenario. For a failed scenario it prints the reason and a
@@ -56,28 +62,38 @@ struct CheckOptions {
   std::filesystem::path out = "out/check";  // results of failed scenarios, each in a folder named after it
   std::optional<std::filesystem::path> junit;
   std::optional<std::filesystem::path> report_dir;
+  std::vector<Engine> engines;  // with each of them; empty: with that of the scenario
   OutputOptions output;
 };
 
 constexpr const char* kIndexFile = "index.html";
 
-// Runs and judges one scenario. Returns nothing if the run was interrupted. `kept`: folder for the results of a
-// failure.
-// `report`: page for a failure.
-std::optional<JunitCase> check_scenario(const Scenario& scenario, const std::filesystem::path& kept,
-                                        const std::optional<std::filesystem::path>& report) {
+bool has_passed(const JunitCase& result) {
+  return result.failure.empty() && result.error.empty();
+}
+
+// Where the results of a failure stay.
+struct FailureFiles {
+  std::filesystem::path kept;                   // folder
+  std::optional<std::filesystem::path> report;  // page
+};
+
+// Runs and judges one scenario. Returns nothing if the run was interrupted. `options`: what the user adds to repeat it.
+std::optional<JunitCase> run_and_judge(const Scenario& scenario, const FailureFiles& files,
+                                       const std::vector<std::string>& options = {}) {
+  const auto& [kept, report] = files;
   JunitCase result;
   result.name = scenario.name;
   try {
     remove_results(kept);  // of an earlier check
     const TemporaryFolder folder;
-    ScenarioRunOptions options;
-    options.traces = {{folder.path() / kTraceFile, scenario.trace.every_ticks}};
-    options.load = {folder.path() / kLoadFile, scenario.trace.every_ticks};
-    options.log = folder.path() / kLogFile;
-    options.serial_log = folder.path() / kSerialFile;
-    options.compare_golden = {kept / kTraceFile, scenario.trace.every_ticks};
-    const RunSummary summary = run_scenario(scenario, options);
+    ScenarioRunOptions run;
+    run.traces = {{folder.path() / kTraceFile, scenario.trace.every_ticks}};
+    run.load = {folder.path() / kLoadFile, scenario.trace.every_ticks};
+    run.log = folder.path() / kLogFile;
+    run.serial_log = folder.path() / kSerialFile;
+    run.compare_golden = {kept / kTraceFile, scenario.trace.every_ticks};
+    const RunSummary summary = run_scenario(scenario, run);
     if (summary.interrupted) return std::nullopt;
     result.wall_s = summary.host.wall_s;
     result.output = summary_text(summary);
@@ -85,7 +101,7 @@ std::optional<JunitCase> check_scenario(const Scenario& scenario, const std::fil
     result.failure = failure_reasons(scenario, summary);
     if (!result.failure.empty()) {
       keep_results(folder.path(), summary, kept);
-      const NextCommand next = next_command(scenario, summary, default_folder(scenario).string());
+      const NextCommand next = next_command(scenario, summary, default_folder(scenario).string(), options);
       result.failure +=
           fmt::format("results: {}\n{}: {}\n", printable(kept.string(), kShowAll), next.what, next.command);
       if (report && can_be_shown(summary)) {
@@ -100,6 +116,25 @@ std::optional<JunitCase> check_scenario(const Scenario& scenario, const std::fil
   return result;
 }
 
+// The same with each engine, up to the first failure; without engines with that of the scenario.
+std::optional<JunitCase> check_scenario(const Scenario& scenario, const std::vector<Engine>& engines,
+                                        const FailureFiles& files) {
+  if (engines.empty()) return run_and_judge(scenario, files);
+  Scenario chosen = scenario;
+  std::optional<JunitCase> result;
+  double wall_s = 0;
+  for (const Engine engine : engines) {
+    chosen.engine = engine;
+    result = run_and_judge(chosen, files, {"--engine", std::string{word_of(engine)}});
+    if (!result) return std::nullopt;
+    wall_s += std::exchange(result->wall_s, 0);
+    result->wall_s = wall_s;
+    if (!result->failure.empty()) result->failure = fmt::format("engine {}: {}", word_of(engine), result->failure);
+    if (!has_passed(*result)) return result;
+  }
+  return result;
+}
+
 // The named scenarios. Without names: those of all folders of the user, or those of the program if the user has none.
 std::vector<std::filesystem::path> scenarios_to_check(const std::vector<std::string>& named, const SearchPath& path) {
   std::vector<std::filesystem::path> files;
@@ -109,10 +144,6 @@ std::vector<std::filesystem::path> scenarios_to_check(const std::vector<std::str
   }
   if (files.empty()) throw InputError{"check", "no scenarios (searched: " + path.searched() + ")"};
   return files;
-}
-
-bool has_passed(const JunitCase& result) {
-  return result.failure.empty() && result.error.empty();
 }
 
 void write_index(const std::filesystem::path& folder, const std::vector<JunitCase>& cases) {
@@ -196,7 +227,7 @@ std::vector<JunitCase> check_all(const CheckOptions& given, const std::vector<Sc
         const std::scoped_lock lock{printing};
         progress.begin(scenarios[i].name);
       }
-      results[i] = check_scenario(scenarios[i], kept[i], reports[i]);
+      results[i] = check_scenario(scenarios[i], given.engines, {.kept = kept[i], .report = reports[i]});
       if (!results[i]) return;
       const std::scoped_lock lock{printing};
       progress.clear();
@@ -259,6 +290,7 @@ CommandAction declare_check(CLI::App& app) {
   app.add_option("--report-dir", options->report_dir,
                  "Write index.html to this folder, and the report of each failed scenario")
       ->type_name(kFolderValue);
+  add_engines_option(app, options->engines);
   add_quiet_option(app, options->output);
   add_json_option(app, options->output);
   return [options](const CommonOptions& common) { return check_scenarios(*options, common.search_path()); };

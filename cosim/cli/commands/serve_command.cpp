@@ -12,11 +12,11 @@
 #include "cosim/cli/options/logic_options.hpp"
 #include "cosim/cli/options/value_kinds.hpp"
 #include "cosim/cli/run/interrupt.hpp"
+#include "cosim/engine/make_soc.hpp"
 #include "cosim/net/listener.hpp"
 #include "cosim/serve/interpreter.hpp"
 #include "cosim/serve/served_soc.hpp"
 #include "cosim/serve/server.hpp"
-#include "cosim/soc/make_soc.hpp"
 #include "cosim/text/names.hpp"
 
 namespace armature::cosim {

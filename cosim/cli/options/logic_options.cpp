@@ -3,8 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <array>
-#include <cstddef>
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -36,14 +35,34 @@ void refuse_old_option(CLI::App& command) {
       ->group("");  // not in --help
 }
 
+std::string engine_help() {
+  std::string help{kEngineHelp};
+  std::ranges::replace(help, '`', '\'');  // Markdown
+  return help;
+}
+
 }  // namespace
 
 void add_logic_options(CLI::App& command, LogicChoice& chosen) {
   add_choice(command, "--variant", chosen.variant,
              "Variant of the logic: 'counts', or 'paper' as Vo 2021 describes it (half periods, one decoder)");
-  add_choice(command, "--engine", chosen.engine,
-             "Program that simulates the logic: 'rtl', the verilated SystemVerilog");
+  add_choice(command, "--engine", chosen.engine, engine_help());
   refuse_old_option(command);
+}
+
+void add_engines_option(CLI::App& command, std::vector<Engine>& chosen) {
+  constexpr const char* kBoth = "both";
+  std::vector<std::string> words(kWordsOf<Engine>.begin(), kWordsOf<Engine>.end());
+  words.emplace_back(kBoth);
+  command
+      .add_option_function<std::string>(
+          "--engine",
+          [&chosen](const std::string& word) {
+            chosen =
+                word == kBoth ? std::vector{Engine::kRtl, Engine::kModel} : std::vector{*enumerator_of<Engine>(word)};
+          },
+          engine_help() + " 'both': the RTL, then the model (default: as the scenario says)")
+      ->check(CLI::IsMember(words));
 }
 
 }  // namespace armature::cosim

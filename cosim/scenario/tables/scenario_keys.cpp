@@ -98,9 +98,7 @@ const KeyTable<Scenario>& scenario_keys() {
                         "The variant of the programmable logic. `counts`: the controller sends a signed pulse count "
                         "for each axis and tick. `paper`: the logic as Vo 2021 describes it, with half periods instead "
                         "of counts and one decoder for all encoders. `run --variant` overrides the key."),
-              named_key("engine", &Scenario::engine,
-                        "The program that simulates the logic. `rtl`: the verilated SystemVerilog. Results do not "
-                        "depend on the engine. `run --engine` overrides the key."),
+              named_key("engine", &Scenario::engine, kEngineHelp),
           },
       // The checks of a table may use the tables above it.
       .tables = {

@@ -236,7 +236,7 @@ unfinished_moves = 1
             (("run", TINY, "--set", "controller.feedbak=false"), "feedback"),
             (("run", TINY, "--set", "duration_s=fast"), "duration_s"),
             (("run", TINY, "--variant", "fpga"), "--variant: fpga not in {counts,paper}"),
-            (("run", TINY, "--engine", "model"), "--engine: model not in {rtl}"),
+            (("run", TINY, "--engine", "vhdl"), "--engine: vhdl not in {rtl,model,lockstep}"),
             (("run", TINY, "--fabric", "paper"), "--fabric: write --variant paper\n"),
             (("run", TINY, "--fabric", "rtl"), "--fabric: write --variant counts\n"),
             (("run", TINY, "--fabric", "x"), "--fabric: write --variant counts or --variant paper\n"),

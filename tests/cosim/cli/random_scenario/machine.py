@@ -13,7 +13,7 @@ def put_run(draft):
     draft.maybe("seed", lambda: draft.integer(0, 2**63 - 1))
     draft.maybe("input_jitter", lambda: rng.random() < 0.5, 0.1)
     draft.maybe("drop_out_us", lambda: rng.choice([60, 500, 5000, 1_000_000]), 0.1)
-    draft.maybe("engine", lambda: "rtl", 0.1)
+    draft.maybe("engine", lambda: rng.choice(["rtl", "model", "lockstep"]), 0.5)
     draft.paper = rng.random() < 0.25
     if draft.paper or rng.random() < 0.2:
         draft.put("variant", "paper" if draft.paper else "counts")

@@ -1,0 +1,154 @@
+#include "cosim/model/model_soc.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "cosim/bus/axi_lite_master.hpp"
+#include "cosim/fabric/pin_trace.hpp"
+#include "cosim/model/bus.hpp"
+#include "cosim/model/logic.hpp"
+#include "cosim/model/quick_access.hpp"
+
+namespace armature::cosim::model {
+namespace {
+
+template <class Variant>
+class ModelSoc final : public Soc {
+ public:
+  ModelSoc(const BusSpec& bus, std::uint64_t seed) : spec_{bus}, master_{bus, seed}, quick_{is_quick(bus)} {}
+
+  // ---- time
+  [[nodiscard]] Cycles now() const override { return logic_.now() + stood_; }
+
+  bool advance(Cycles limit, StopOn stop_on) override {
+    if (!clock_running_) {
+      stood_ = std::max(stood_, limit - logic_.now());
+      return false;
+    }
+    const std::uint8_t irq = interrupts();
+    while (now() < limit) {
+      const bool changed = run_to(limit - stood_);
+      const bool finished = response_.has_value();
+      const bool stopped = stop_on == StopOn::kPinChange   ? changed
+                           : stop_on == StopOn::kInterrupt ? changed && interrupts() != irq
+                                                           : false;
+      if (stopped || finished) return stopped;
+    }
+    return false;
+  }
+
+  void set_clock_running(bool running) override {
+    if (!running && access_) show_handshakes();
+    clock_running_ = running;
+  }
+
+  void stop_clock_of(ClockGroup group) override {
+    if (access_) show_handshakes();
+    quick_ = false;
+    logic_.stop_clock_of(group);
+    bus_.stop(Logic<Variant>::ports_of(group));
+  }
+
+  // ---- registers
+  [[nodiscard]] bool idle() const override { return !access_ && master_.idle() && !response_; }
+
+  std::optional<Cycles> start(const BusRequest& request) override {
+    if (!quick_ || !clock_running_ || bus_.is_active(master_.pins())) {
+      master_.start(request, now());
+      return std::nullopt;
+    }
+    access_ = quick_access(request, logic_.now(), spec_, Variant::kBases);
+    return access_->ends + stood_;
+  }
+
+  [[nodiscard]] bool has_response() const override { return response_.has_value(); }
+  std::optional<BusResponse> pop_response() override { return std::exchange(response_, std::nullopt); }
+  [[nodiscard]] Cycles access_timeout() const override { return Cycles{spec_.timeout_cycles}; }
+
+  // ---- pins
+  void set_inputs(const SocInputs& inputs) override { logic_.set_inputs(inputs); }
+  [[nodiscard]] const SocOutputs& outputs() const override { return logic_.outputs(); }
+  [[nodiscard]] std::uint8_t interrupts() const override { return logic_.outputs().irq; }
+
+  // ---- waveforms
+  void add_to_waves(const SoftwareSignals& signals) override { wave_.add(signals); }
+  void open_wave(const std::filesystem::path& file, WaveFormat format) override { wave_.open(file, format); }
+  void close_wave() override { wave_.close(); }
+
+ private:
+  using Answers = typename Logic<Variant>::Answers;
+
+  // Runs to the next edge that must be computed, or to `end`. Returns whether an output has changed.
+  bool run_to(Cycles end) {
+    const bool handshakes = !master_.idle() || bus_.is_active(master_.pins());
+    Cycles next = handshakes || wave_.is_open() ? logic_.now() + Cycles{1} : logic_.wakes_at();
+    if (access_) next = std::min(next, access_->next_edge(logic_.now()));
+    if (next > end) {
+      logic_.pass(end);
+      return false;
+    }
+    logic_.pass(next - Cycles{1});
+    const bool changed = handshakes ? edge_with_handshakes() : edge();
+    if (wave_.is_open()) wave_.dump(now(), logic_.inputs(), logic_.outputs());
+    return changed;
+  }
+
+  bool edge() {
+    typename Logic<Variant>::Accesses accesses;
+    Answers answers;
+    const bool executes = access_ && access_->port && access_->executed == logic_.now() + Cycles{1};
+    if (executes) accesses[*access_->port] = access_->strobes();
+    const bool changed = logic_.edge(accesses, answers);
+    if (executes) access_->answer = answers[*access_->port];
+    if (access_ && access_->ends == logic_.now()) {
+      response_ = access_->response();
+      access_.reset();
+    }
+    return changed;
+  }
+
+  bool edge_with_handshakes() {
+    Answers answers;
+    const bool changed = logic_.edge(bus_.accesses(), answers);
+    bus_.edge(logic_.now(), master_.pins(), answers);
+    step_master(now());
+    return changed;
+  }
+
+  // Brings master and crossbar to where they are in the middle of the access under way.
+  void show_handshakes() {
+    const QuickAccess access = *std::exchange(access_, std::nullopt);
+    master_.start(access.request, access.started + stood_);
+    for (Cycles at = access.started + Cycles{1}; at <= logic_.now(); at += Cycles{1}) {
+      Answers answers;
+      if (access.port && at == access.executed) answers[*access.port] = access.answer;
+      bus_.edge(at, master_.pins(), answers);
+      step_master(at + stood_);
+    }
+  }
+
+  void step_master(Cycles at) {
+    if (!master_.idle() && at >= master_.next_event()) response_ = master_.step(at, bus_.pins());
+  }
+
+  BusSpec spec_;
+  Logic<Variant> logic_;
+  Bus<Logic<Variant>::kBlocks> bus_{Variant::kBases};
+  AxiLiteMaster master_;
+  std::optional<QuickAccess> access_;  // under way, in times of logic_
+  std::optional<BusResponse> response_;
+  bool quick_;
+  bool clock_running_ = true;
+  Cycles stood_{};  // cycles without an edge
+  PinTrace wave_;
+};
+
+}  // namespace
+
+std::unique_ptr<Soc> make_model_soc(Variant variant, const BusSpec& bus, std::uint64_t seed) {
+  if (variant == Variant::kPaper) return std::make_unique<ModelSoc<PaperVariant>>(bus, seed);
+  return std::make_unique<ModelSoc<CountsVariant>>(bus, seed);
+}
+
+}  // namespace armature::cosim::model

@@ -1,0 +1,62 @@
+// The times of a register access that nothing disturbs: no stall, no block that hangs, a clock that runs.
+//
+// Then the handshakes of the bus master and the crossbar are known in advance (rtl/axi/README.md), and only the edge at
+// which the block executes the access must be computed.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include "cosim/bus/bus_access.hpp"
+#include "cosim/bus/bus_spec.hpp"
+#include "cosim/model/block.hpp"
+#include "cosim/model/crossbar.hpp"
+
+namespace armature::cosim::model {
+
+struct QuickAccess {
+  BusRequest request{};
+  std::optional<std::size_t> port{};  // none: no block has the address
+  Cycles started{};
+  Cycles executed{};  // the edge at which the block executes it
+  Cycles ends{};      // the processor receives the response
+  Answer answer{};    // from `executed` on
+
+  // The next edge that must be computed for it.
+  [[nodiscard]] Cycles next_edge(Cycles now) const { return port && now < executed ? executed : ends; }
+
+  [[nodiscard]] Strobes strobes() const {
+    const auto offset = static_cast<std::uint16_t>(request.addr);
+    if (request.write) return {.write = true, .waddr = offset, .wdata = request.data, .wstrb = request.strobes};
+    return {.read = true, .raddr = offset};
+  }
+  [[nodiscard]] BusResponse response() const {
+    if (!port) return {.error = BusError::kDecodeError};
+    const bool error = request.write ? answer.werr : answer.rerr;
+    return {.error = error ? BusError::kSlaveError : BusError::kNone, .data = request.write ? 0 : answer.rdata};
+  }
+};
+
+// Whether accesses over this bus have those times.
+[[nodiscard]] inline bool is_quick(const BusSpec& bus) {
+  constexpr std::int64_t kHandshakes = 8;
+  return bus.stall_probability == 0.0 && bus.timeout_cycles > bus.latency_cycles + kHandshakes;
+}
+
+// An access that starts at `now`. `bases`: of the blocks, by port.
+[[nodiscard]] inline QuickAccess quick_access(const BusRequest& request, Cycles now, const BusSpec& bus,
+                                              std::span<const std::uint32_t> bases) {
+  constexpr Cycles kToBlock{3}, kWriteEdges{6}, kReadEdges{5}, kUnclaimedEdges{2};
+  QuickAccess access{.request = request, .started = now};
+  access.port = port_of(request.addr, bases);
+  // The master drives its pins a clock after the start at the earliest. The crossbar accepts them at the next edge.
+  const Cycles accepted = now + Cycles{std::max<std::int64_t>(bus.latency_cycles, 1) + 1};
+  access.executed = accepted + kToBlock;
+  const Cycles answered = accepted + (!access.port ? kUnclaimedEdges : request.write ? kWriteEdges : kReadEdges);
+  access.ends = answered + Cycles{bus.latency_cycles};
+  return access;
+}
+
+}  // namespace armature::cosim::model
