@@ -8,7 +8,7 @@
 #include "controller/cell/frames.hpp"
 #include "controller/cell/planning_config.hpp"
 #include "controller/kinematics/transform.hpp"
-#include "controller/language/program/interpreter.hpp"
+#include "controller/language/program/program.hpp"
 #include "controller/motion/paper_logic_port.hpp"
 #include "controller/pendant/client/pendant_config.hpp"
 #include "controller/trajectory/profile/synchronise.hpp"
@@ -25,7 +25,7 @@ struct ControllerConfig {
   // Set: a teach pendant is on the serial line, and the drives are off until it switches them on.
   std::optional<pendant::PendantConfig> pendant{};
   std::optional<ConveyorConfig> conveyor{};  // for arms with six joints; its counts come from the host
-  Interpreter* program = nullptr;            // a loaded program that core 1 executes; it must outlive the controller
+  Program* program = nullptr;                // a loaded program that core 1 executes; it must outlive the controller
   // When the program begins, at the earliest. None: when the pendant runs it.
   std::optional<Ticks> program_start{Ticks{}};
   std::optional<Ticks> program_resumes_after{};  // time after which a pause of the program ends; none: an order ends it

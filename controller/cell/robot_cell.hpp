@@ -1,4 +1,4 @@
-// The robot with its tool and the frames around it: what an interpreter of programs needs to know.
+// The robot with its tool and the frames around it: what a program needs to know.
 #pragma once
 
 #include "controller/cell/frames.hpp"

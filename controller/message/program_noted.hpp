@@ -12,7 +12,7 @@ namespace armature {
 
 struct ProgramNoted {
   enum class Kind : std::uint8_t {
-    kLine,     // the interpreter begins to execute this line; the arm may be some lines behind
+    kLine,     // the program begins to execute this line; the arm may be some lines behind
     kMessage,  // an instruction shows a text to the operator
     kAlarm,    // the program cannot continue; the text says why
     kStopped,  // the program has failed: the arm did not carry out a command of this line, or not to its end
@@ -27,7 +27,7 @@ struct ProgramNoted {
   };
   static constexpr std::size_t kMaxText = 64;
 
-  std::uint32_t place = 0;  // in the program, as its interpreter defines it
+  std::uint32_t place = 0;  // in the program, as its language defines it
   Kind kind = Kind::kLine;
   std::uint8_t text_size = 0;
   std::uint16_t inputs = 0;  // kWaits, kWaited: the inputs of the tool that the condition has read, bit 0 for pin 1

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "controller/kinematics/arm.hpp"
-#include "controller/language/program/interpreter.hpp"
+#include "controller/language/program/program.hpp"
 #include "controller/robot/robot_model.hpp"
 #include "cosim/scenario/scenario.hpp"
 
@@ -19,7 +19,7 @@ class ArmProgram {
   ArmProgram& operator=(const ArmProgram&) = delete;
 
   // It lives as long as this, and so must whatever executes it.
-  [[nodiscard]] Interpreter& interpreter() { return *interpreter_; }
+  [[nodiscard]] Program& interpreter() { return *interpreter_; }
 
  private:
   struct Gcode;
@@ -32,7 +32,7 @@ class ArmProgram {
   Arm arm_;
   std::unique_ptr<Gcode> gcode_;
   std::unique_ptr<Jobs> jobs_;
-  Interpreter* interpreter_ = nullptr;
+  Program* interpreter_ = nullptr;
 };
 
 }  // namespace armature::cosim

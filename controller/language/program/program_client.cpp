@@ -7,7 +7,7 @@
 
 namespace armature {
 
-void ProgramClient::set(Interpreter& program, std::optional<Ticks> start) noexcept {
+void ProgramClient::set(Program& program, std::optional<Ticks> start) noexcept {
   program_ = &program;
   start_at_ = start.value_or(Ticks{});
   state_ = start ? State::kPending : State::kReady;
@@ -118,23 +118,23 @@ bool ProgramClient::enter_next_state() noexcept {
 
 bool ProgramClient::step_program() noexcept {
   inputs_read_ = 0;
-  const Interpreter::Progress progress = program_->step(*this);
+  const Program::Progress progress = program_->step(*this);
   bus_->charge(Work::kProgramStep);
   switch (progress) {
-    case Interpreter::Progress::kWorking:
+    case Program::Progress::kWorking:
       return true;
-    case Interpreter::Progress::kWaiting:
+    case Program::Progress::kWaiting:
       return false;
-    case Interpreter::Progress::kPaused:
+    case Program::Progress::kPaused:
       state_ = State::kPaused;
       resume_at_ = now() + resume_after_.value_or(Ticks{});
       line_ = std::exchange(breakpoint_, std::nullopt).value_or(line_);
       report(ProgramNote::Kind::kPaused, line_);
       return false;
-    case Interpreter::Progress::kEnded:
+    case Program::Progress::kEnded:
       next_state_ = State::kEnded;
       return true;
-    case Interpreter::Progress::kAlarm:
+    case Program::Progress::kAlarm:
       next_state_ = State::kFailed;
       return true;
   }

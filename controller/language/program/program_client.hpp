@@ -12,8 +12,8 @@
 #include "controller/activity/tool_io.hpp"
 #include "controller/command/core1_client.hpp"
 #include "controller/language/program/breakpoints.hpp"
-#include "controller/language/program/interpreter.hpp"
 #include "controller/language/program/output_pulses.hpp"
+#include "controller/language/program/program.hpp"
 #include "controller/language/program/sent_commands.hpp"
 #include "controller/message/event.hpp"
 #include "controller/message/inbox.hpp"
@@ -50,7 +50,7 @@ class ProgramClient final : public Core1Client, private ProgramPort {
 
   // A loaded program, without breakpoints. It starts at `start` after the start of the controller, and not before the
   // commands that the host has sent until then; none: with run(). Not while active().
-  void set(Interpreter& program, std::optional<Ticks> start) noexcept;
+  void set(Program& program, std::optional<Ticks> start) noexcept;
   // A pause of the program ends by itself after this time, as if the operator had said resume(). None: it does not.
   void resume_pauses_after(std::optional<Ticks> time) noexcept { resume_after_ = time; }
   // There is no program any more. Not while active().
@@ -120,14 +120,14 @@ class ProgramClient final : public Core1Client, private ProgramPort {
   const ArmOwner& owner_;
   ToolIo& tool_;
   EventListener& events_;
-  Interpreter* program_ = nullptr;
+  Program* program_ = nullptr;
   RegisterBus* bus_ = nullptr;  // during execute()
   Ticks start_at_{};
   std::optional<Ticks> resume_after_;
   Ticks resume_at_{};  // kPaused with resume_after_
   Mode mode_ = Mode::kOnce;
   State state_ = State::kIdle;
-  bool started_ = false;             // kRunning: the interpreter has started
+  bool started_ = false;             // kRunning: the program has been started
   bool stopping_ = false;            // the arm was told to stop, or a fault has stopped it
   std::optional<State> next_state_;  // kRunning: the lines are over, this follows when the commands are
   SentCommands sent_;

@@ -12,12 +12,12 @@
 
 namespace armature {
 
-// Where in the program a command or a note comes from: 24 bits that the interpreter defines, see its place_of().
+// Where in the program a command or a note comes from: 24 bits that the program defines, see its place_of().
 using ProgramPlace = std::uint32_t;
 
 // What a program tells the operator.
 struct ProgramNote {
-  using Kind = ProgramNoted::Kind;  // an interpreter gives kLine, kMessage, kAlarm, kWaits and kWaited
+  using Kind = ProgramNoted::Kind;  // a program gives kLine, kMessage, kAlarm, kWaits and kWaited
   Kind kind = Kind::kLine;
   ProgramPlace place = 0;
   FixedText<ProgramNoted::kMaxText> text{};

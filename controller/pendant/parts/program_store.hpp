@@ -18,7 +18,7 @@
 #include "controller/language/job/loader/loader.hpp"
 #include "controller/language/job/memory/program_memory.hpp"
 #include "controller/language/job/state/machine_setup.hpp"
-#include "controller/language/program/interpreter.hpp"
+#include "controller/language/program/program.hpp"
 #include "controller/language/text/diagnostics.hpp"
 #include "controller/pendant/protocol/answer.hpp"
 #include "controller/pendant/protocol/bulk_receiver.hpp"
@@ -48,7 +48,7 @@ class ProgramStore {
   [[nodiscard]] Answer select(std::size_t job) noexcept;
 
   // The loaded program; nullptr: there is none.
-  [[nodiscard]] Interpreter* program() noexcept { return program_; }
+  [[nodiscard]] Program* program() noexcept { return program_; }
   [[nodiscard]] bool has_gcode() const noexcept { return program_ == &gcode_; }
   // Number of lines that the last commit() has read.
   [[nodiscard]] std::int64_t lines_read() const noexcept { return lines_read_; }
@@ -77,7 +77,7 @@ class ProgramStore {
   FrameId frame_;
   gcode::MotionSetup gcode_setup_;
   gcode::ProgramRunner gcode_{gcode_setup_};
-  Interpreter* program_ = nullptr;
+  Program* program_ = nullptr;
 };
 
 }  // namespace armature::pendant

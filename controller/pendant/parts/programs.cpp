@@ -35,7 +35,7 @@ Answer Programs::commit(std::int32_t check, PendantLine& line, RegisterBus& bus)
 
 // `loaded`: another one than before, or none because of an error.
 void Programs::use_store(bool loaded) noexcept {
-  Interpreter* program = store_.program();
+  Program* program = store_.program();
   if (program == nullptr && (from_store_ || loaded)) client_.clear();
   if (program != nullptr && loaded) client_.set(*program, std::nullopt);
   from_store_ = program != nullptr;

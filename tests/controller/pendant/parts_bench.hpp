@@ -15,7 +15,7 @@
 namespace armature::pendant::test {
 
 // A program that waits for ever at its line 7.
-class WaitingProgram final : public Interpreter {
+class WaitingProgram final : public Program {
  public:
   [[nodiscard]] bool has_line(ProgramPlace place) const noexcept override { return place == 7; }
   void set_single_step(bool) noexcept override {}

@@ -63,7 +63,7 @@ TEST_F(StoreTest, HasNoProgramAfterAnError) {
 
 TEST_F(StoreTest, KeepsTheProgramWhenTheTransferIsDamaged) {
   expect(send(Content::kJob, job_of("NOP\n", "A")), Status::kOk, 0);
-  Interpreter* before = store->program();
+  Program* before = store->program();
   EXPECT_EQ(store->begin(Content::kJob, 10).status, Status::kOk);
   expect(store->commit(0), Status::kCheckFail, 0);
   EXPECT_EQ(store->program(), before);

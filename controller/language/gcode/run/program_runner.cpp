@@ -35,7 +35,7 @@ void ProgramRunner::start() noexcept {
   wait_.cancel();
 }
 
-Interpreter::Progress ProgramRunner::step(ProgramPort& port) noexcept {
+Program::Progress ProgramRunner::step(ProgramPort& port) noexcept {
   port_ = &port;
   Progress progress = Progress::kWorking;
   switch (phase_) {
@@ -53,7 +53,7 @@ Interpreter::Progress ProgramRunner::step(ProgramPort& port) noexcept {
   return progress;
 }
 
-Interpreter::Progress ProgramRunner::begin(ProgramPort& port) noexcept {
+Program::Progress ProgramRunner::begin(ProgramPort& port) noexcept {
   if (!port.done()) return Progress::kWaiting;
   start_joints_ = port.joints();
   const Transform base_T_tool = setup_.cell.arm.forward(start_joints_) * setup_.cell.flange_T_tool;
@@ -101,7 +101,7 @@ void ProgramRunner::on_call(const CanonCall& call, std::uint32_t line) noexcept 
   if (queue_end_ < queue_.size()) queue_[queue_end_++] = {.call = call, .line = line};
 }
 
-Interpreter::Progress ProgramRunner::check_step(ProgramPort& port) noexcept {
+Program::Progress ProgramRunner::check_step(ProgramPort& port) noexcept {
   if (check_.busy()) {
     const std::optional<ReachCheck::Problem> problem = check_.work(kSlice);
     port.charge_inverses(check_.inverses());
@@ -136,7 +136,7 @@ Interpreter::Progress ProgramRunner::check_step(ProgramPort& port) noexcept {
   return Progress::kWorking;
 }
 
-Interpreter::Progress ProgramRunner::run_step(ProgramPort& port) noexcept {
+Program::Progress ProgramRunner::run_step(ProgramPort& port) noexcept {
   if (paused_) {  // the operator has resumed the program
     paused_ = false;
     interpreter_.resume();
@@ -188,7 +188,7 @@ bool ProgramRunner::pauses_here(ProgramPort& port) const noexcept {
   return runs && !paused_here_ && port.breakpoint_at(interpreter_.next_line());
 }
 
-Interpreter::Progress ProgramRunner::execute_next(ProgramPort& port) noexcept {
+Program::Progress ProgramRunner::execute_next(ProgramPort& port) noexcept {
   const auto* wait = std::get_if<WaitInput>(&queue_[queue_begin_].call);
   if (wait == nullptr) return convert_next(port);
   line_ = queue_[queue_begin_].line;
@@ -200,7 +200,7 @@ Interpreter::Progress ProgramRunner::execute_next(ProgramPort& port) noexcept {
   return wait_step(port);
 }
 
-Interpreter::Progress ProgramRunner::convert_next(ProgramPort& port) noexcept {
+Program::Progress ProgramRunner::convert_next(ProgramPort& port) noexcept {
   const Queued& queued = queue_[queue_begin_++];
   line_ = queued.line;
   sent_ = 0;
@@ -208,7 +208,7 @@ Interpreter::Progress ProgramRunner::convert_next(ProgramPort& port) noexcept {
   return Progress::kWorking;
 }
 
-Interpreter::Progress ProgramRunner::wait_step(ProgramPort& port) noexcept {
+Program::Progress ProgramRunner::wait_step(ProgramPort& port) noexcept {
   const std::optional<double> value = wait_.step(port);
   if (!value) return Progress::kWaiting;
   interpreter_.give_input(*value);
@@ -220,12 +220,12 @@ void ProgramRunner::note_end(ProgramPort& port) noexcept {
   port.note({.kind = ProgramNote::Kind::kMessage, .place = interpreter_.line(), .text = CanonInterpreter::kNoEndCode});
 }
 
-Interpreter::Progress ProgramRunner::fail(ProgramPort& port) noexcept {
+Program::Progress ProgramRunner::fail(ProgramPort& port) noexcept {
   const Error& error = interpreter_.error();
   return alarm(port, error.line, message_of(error).view());
 }
 
-Interpreter::Progress ProgramRunner::alarm(ProgramPort& port, std::uint32_t line, std::string_view text) noexcept {
+Program::Progress ProgramRunner::alarm(ProgramPort& port, std::uint32_t line, std::string_view text) noexcept {
   port.note({.kind = ProgramNote::Kind::kAlarm, .place = line, .text = text});
   return Progress::kAlarm;
 }

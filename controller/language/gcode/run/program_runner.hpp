@@ -16,12 +16,12 @@
 #include "controller/language/gcode/run/motion_commands.hpp"
 #include "controller/language/gcode/run/motion_setup.hpp"
 #include "controller/language/gcode/run/reach_check.hpp"
-#include "controller/language/program/interpreter.hpp"
+#include "controller/language/program/program.hpp"
 #include "controller/language/program/program_port.hpp"
 
 namespace armature::gcode {
 
-class ProgramRunner final : public Interpreter, private CanonSink {
+class ProgramRunner final : public Program, private CanonSink {
  public:
   static constexpr std::int64_t kMaxChecked = 200'000;
 
@@ -34,7 +34,7 @@ class ProgramRunner final : public Interpreter, private CanonSink {
   // The program must stay in memory. It begins with start(). A place is a line of its whole text.
   void load(const ProgramText& program) noexcept;
 
-  // Interpreter. A place is a line, from 1.
+  // Program. A place is a line, from 1.
   [[nodiscard]] bool has_line(ProgramPlace place) const noexcept override { return place > 0 && place <= lines_; }
   [[nodiscard]] bool select_line(std::uint32_t line) noexcept override { return line <= 1; }
   void set_single_step(bool on) noexcept override;

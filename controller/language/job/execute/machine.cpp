@@ -30,7 +30,7 @@ Step Machine::step_here(ProgramPort& port) const noexcept {
   return {port, parts_.flow.records(), parts_.flow.at(), place_of(job(), line())};
 }
 
-Interpreter::Progress Machine::step(ProgramPort& port) noexcept {
+Program::Progress Machine::step(ProgramPort& port) noexcept {
   timed_wait_ = false;
   if (pause_when_done_) {
     if (!port.done()) return Progress::kWaiting;

@@ -15,11 +15,11 @@
 #include "controller/language/job/state/alarm.hpp"
 #include "controller/language/job/state/machine_setup.hpp"
 #include "controller/language/job/state/variables.hpp"
-#include "controller/language/program/interpreter.hpp"
+#include "controller/language/program/program.hpp"
 
 namespace armature::job {
 
-class Machine final : public Interpreter {
+class Machine final : public Program {
  public:
   // References must outlive the machine. All jobs of the memory must be loaded and linked.
   Machine(const ProgramMemory& memory, const MachineSetup& setup) noexcept : parts_{memory, setup} {}
@@ -27,7 +27,7 @@ class Machine final : public Interpreter {
   // Where start() starts: in a job, at its first instruction at or behind a line.
   void select(std::size_t job, std::uint32_t line = 0) noexcept;
 
-  // Interpreter
+  // Program
   void start() noexcept override;
   [[nodiscard]] Progress step(ProgramPort& port) noexcept override;
   [[nodiscard]] bool waits_for_time() const noexcept override { return timed_wait_; }

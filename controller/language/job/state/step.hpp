@@ -9,13 +9,13 @@
 
 #include "controller/language/job/memory/program_memory.hpp"
 #include "controller/language/job/state/alarm.hpp"
-#include "controller/language/program/interpreter.hpp"
+#include "controller/language/program/program.hpp"
 
 namespace armature::job {
 
 class Step {
  public:
-  using Progress = Interpreter::Progress;
+  using Progress = Program::Progress;
 
   // `at` is the record to execute, among those of its job.
   Step(ProgramPort& port, std::span<const Record> records, std::uint16_t at, ProgramPlace place) noexcept

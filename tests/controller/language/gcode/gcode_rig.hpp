@@ -88,12 +88,12 @@ class KeepingPort final : public ProgramPort {
 };
 
 // Steps until the program ends, or does something else than to work.
-inline Interpreter::Progress run(gcode::ProgramRunner& runner, KeepingPort& port) {
+inline Program::Progress run(gcode::ProgramRunner& runner, KeepingPort& port) {
   for (int i = 0; i < 1'000'000; ++i) {
-    const Interpreter::Progress progress = runner.step(port);
-    if (progress != Interpreter::Progress::kWorking) return progress;
+    const Program::Progress progress = runner.step(port);
+    if (progress != Program::Progress::kWorking) return progress;
   }
-  return Interpreter::Progress::kWorking;
+  return Program::Progress::kWorking;
 }
 
 }  // namespace armature::test

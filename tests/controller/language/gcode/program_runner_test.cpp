@@ -11,7 +11,7 @@
 namespace armature::test {
 namespace {
 
-using Progress = Interpreter::Progress;
+using Progress = Program::Progress;
 
 struct GcodeRunner : testing::Test {
   void begin(std::string_view text) {

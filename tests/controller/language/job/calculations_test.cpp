@@ -66,7 +66,7 @@ TEST(Calculations, RaisesAnAlarmInsteadOfAWrongValue) {
 
 TEST(Calculations, KeepsTheOldValueAfterAnAlarm) {
   test::MachineRig rig{test::job_of("SET B000 200\nADD B000 100\n")};
-  EXPECT_EQ(rig.run(), Interpreter::Progress::kAlarm);
+  EXPECT_EQ(rig.run(), Program::Progress::kAlarm);
   EXPECT_EQ(rig.b(0), 200);
   EXPECT_EQ(rig.machine->alarm(), Alarm::kRange);
   EXPECT_EQ(rig.machine->line(), 8U);

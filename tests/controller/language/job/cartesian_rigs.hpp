@@ -29,7 +29,7 @@ inline const CartesianMove& path(const MachineRig& rig, std::size_t i) {
 inline MachineRig moved(const std::string& instructions) {
   MachineRig rig{cartesian_job_of(instructions)};
   rig.port.at = degrees({0, 10, 20, 0, 60, 0});
-  EXPECT_EQ(rig.run(), Interpreter::Progress::kEnded) << (rig.port.alarms.empty() ? "" : rig.port.alarms.front());
+  EXPECT_EQ(rig.run(), Program::Progress::kEnded) << (rig.port.alarms.empty() ? "" : rig.port.alarms.front());
   return rig;
 }
 

@@ -13,7 +13,7 @@ using test::executed;
 using test::job_of;
 using test::MachineRig;
 using testing::ElementsAre;
-using Progress = Interpreter::Progress;
+using Progress = Program::Progress;
 
 TEST(Flow, TakesTheFirstBranchThatHolds) {
   const std::string blocks =

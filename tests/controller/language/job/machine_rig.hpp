@@ -66,7 +66,7 @@ class RecordingPort final : public ProgramPort {
 
 // The arm, by default an ABB IRB 120, has a tool that is 100 mm long.
 struct MachineRig {
-  using Progress = Interpreter::Progress;
+  using Progress = Program::Progress;
 
   RobotModel robot;
   Arm arm{robot};
@@ -115,14 +115,14 @@ struct MachineRig {
 // Executes instructions to the end; the rig shows what they did.
 inline MachineRig executed(const std::string& instructions) {
   MachineRig rig{job_of(instructions)};
-  EXPECT_EQ(rig.run(), Interpreter::Progress::kEnded) << (rig.port.alarms.empty() ? "" : rig.port.alarms.front());
+  EXPECT_EQ(rig.run(), Program::Progress::kEnded) << (rig.port.alarms.empty() ? "" : rig.port.alarms.front());
   return rig;
 }
 
 // The alarm that instructions end with.
 inline std::string alarm_of(const std::string& instructions) {
   MachineRig rig{job_of(instructions)};
-  EXPECT_EQ(rig.run(), Interpreter::Progress::kAlarm);
+  EXPECT_EQ(rig.run(), Program::Progress::kAlarm);
   return rig.port.alarms.empty() ? "" : rig.port.alarms.front();
 }
 

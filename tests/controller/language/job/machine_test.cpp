@@ -11,7 +11,7 @@ namespace {
 using test::job_of;
 using test::MachineRig;
 using testing::ElementsAre;
-using Progress = Interpreter::Progress;
+using Progress = Program::Progress;
 
 TEST(Machine, PausesWhenTheArmStands) {
   MachineRig rig{test::moving_job_of("MOVJ C1\nPAUSE\nSET B000 1\n")};

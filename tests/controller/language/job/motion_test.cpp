@@ -17,7 +17,7 @@ using test::MachineRig;
 using test::moved;
 using test::path;
 using testing::ElementsAre;
-using Progress = Interpreter::Progress;
+using Progress = Program::Progress;
 
 TEST(Motion, SendsJointMovesToPulses) {
   MachineRig rig{
@@ -157,10 +157,10 @@ TEST(Motion, RaisesAnAlarmForPositionsThatItCannotReach) {
 TEST(Motion, AnInputEndsAMoveWithUntil) {
   MachineRig rig{test::moving_job_of("MOVJ C00001\nMOVJ C00002 VJ=5.00 UNTIL IN#(3)=ON\nMOVJ C00003\n")};
   rig.port.arrived = false;
-  EXPECT_EQ(rig.run(), Interpreter::Progress::kWaiting);
+  EXPECT_EQ(rig.run(), Program::Progress::kWaiting);
   EXPECT_EQ(rig.port.sent.size(), 1U);  // the stop must not drop the first move
   rig.port.arrived = true;
-  EXPECT_EQ(rig.machine->step(rig.port), Interpreter::Progress::kWaiting);
+  EXPECT_EQ(rig.machine->step(rig.port), Program::Progress::kWaiting);
   EXPECT_EQ(rig.port.sent.size(), 2U);
 }
 
@@ -169,21 +169,21 @@ TEST(Motion, WatchesTheInputOfUntilInEachTick) {
   rig.port.inputs[3] = false;
   while (rig.port.sent.empty()) static_cast<void>(rig.machine->step(rig.port));
   rig.port.arrived = false;
-  EXPECT_EQ(rig.run(), Interpreter::Progress::kWaiting);
+  EXPECT_EQ(rig.run(), Program::Progress::kWaiting);
   EXPECT_TRUE(rig.machine->waits_for_time());
   EXPECT_EQ(rig.port.stops, 0);
   rig.port.inputs[3] = true;
-  EXPECT_EQ(rig.run(), Interpreter::Progress::kWaiting);
-  EXPECT_EQ(rig.run(), Interpreter::Progress::kWaiting);
+  EXPECT_EQ(rig.run(), Program::Progress::kWaiting);
+  EXPECT_EQ(rig.run(), Program::Progress::kWaiting);
   EXPECT_EQ(rig.port.stops, 1);  // once
   rig.port.arrived = true;
-  EXPECT_EQ(rig.run(), Interpreter::Progress::kEnded);
+  EXPECT_EQ(rig.run(), Program::Progress::kEnded);
   EXPECT_EQ(rig.port.sent.size(), 2U);
 }
 
 TEST(Motion, LeavesOutAMoveWhoseInputIsReachedBefore) {
   MachineRig rig{test::moving_job_of("MOVJ C00001 UNTIL IN#(3)=OFF\nMOVJ C00002\n")};
-  EXPECT_EQ(rig.run(), Interpreter::Progress::kEnded);
+  EXPECT_EQ(rig.run(), Program::Progress::kEnded);
   EXPECT_EQ(rig.port.sent.size(), 1U);
   EXPECT_EQ(test::alarm_of("SET B000 17\nMOVJ P001 UNTIL IN#(B000)=ON\n"), "MOVJ: no pin of this number");
 }

@@ -10,7 +10,7 @@ namespace {
 using test::executed;
 using test::ReaderRig;
 using test::StepRig;
-using Progress = Interpreter::Progress;
+using Progress = Program::Progress;
 
 TEST(OperandReader, ReadsConstantsVariablesAndLevels) {
   EXPECT_EQ(ReaderRig{"ADD R000 12.5"}.value(), 12.5);

@@ -15,7 +15,7 @@ using test::executed;
 using test::job_of;
 using test::MachineRig;
 using testing::ElementsAre;
-using Progress = Interpreter::Progress;
+using Progress = Program::Progress;
 
 TEST(Parts, NotesLinesMessagesAndAlarms) {
   MachineRig rig{job_of("'comment\nMSG \"part 1\"\nSETUALM 8001 \"no part\" 0\nSET B000 1\n")};

@@ -15,7 +15,7 @@ using test::MachineRig;
 using test::MovingRig;
 using testing::ElementsAre;
 using testing::IsEmpty;
-using Progress = Interpreter::Progress;
+using Progress = Program::Progress;
 
 TEST(Pins, SendsOutputsAndTimesAheadOfTheArm) {
   MachineRig rig{job_of("DOUT OT#(3) ON\nTIMER T=0.50\nSET I000 25\nTIMER T=I000\nWAIT T=1.00\nDOUT OT#(3) OFF\n")};

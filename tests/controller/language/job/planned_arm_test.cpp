@@ -17,7 +17,7 @@ using test::kDeg;
 using test::MachineRig;
 using test::MovingRig;
 using testing::ElementsAre;
-using Progress = Interpreter::Progress;
+using Progress = Program::Progress;
 
 TEST(PlannedArm, ContinuesBehindPathsWithAStatedPosture) {
   MovingRig rig{

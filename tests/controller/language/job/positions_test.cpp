@@ -14,7 +14,7 @@ using test::kDeg;
 using test::MachineRig;
 using test::moved;
 using test::path;
-using Progress = Interpreter::Progress;
+using Progress = Program::Progress;
 
 struct PositionsTest : testing::Test {
   RobotModel robot = test::irb120();

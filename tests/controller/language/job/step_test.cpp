@@ -11,7 +11,7 @@ namespace armature::job {
 namespace {
 
 using testing::ElementsAre;
-using Progress = Interpreter::Progress;
+using Progress = Program::Progress;
 
 constexpr ProgramPlace kPlace = 7;
 

@@ -14,7 +14,7 @@ namespace {
 using test::MachineRig;
 using test::path;
 using testing::ElementsAre;
-using Progress = Interpreter::Progress;
+using Progress = Program::Progress;
 
 constexpr double kDegree = 0.017453292519943295;
 

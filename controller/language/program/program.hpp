@@ -1,4 +1,4 @@
-// Executes a program in some language, a line at a time.
+// A loaded program in some language, which is executed a line at a time.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace armature {
 
-class Interpreter {
+class Program {
  public:
   enum class Progress : std::uint8_t {
     kWorking,  // a line was executed, or a part of it; another step can be done at once
@@ -25,7 +25,7 @@ class Interpreter {
   // On: kPaused after each line, once the arm has executed it.
   virtual void set_single_step(bool on) noexcept = 0;
 
-  // From the first line, or from where the interpreter was told to start. The program must be loaded.
+  // From the first line, or from that of select_line(). The program must be loaded.
   virtual void start() noexcept = 0;
   // Executes at most one line. A step is short. Not called after kEnded or kAlarm without a start().
   [[nodiscard]] virtual Progress step(ProgramPort& port) noexcept = 0;
@@ -33,7 +33,7 @@ class Interpreter {
   [[nodiscard]] virtual bool waits_for_time() const noexcept = 0;
 
  protected:
-  ~Interpreter() = default;  // never owned through this interface
+  ~Program() = default;  // never owned through this interface
 };
 
 }  // namespace armature
