@@ -7,6 +7,7 @@
 #include "controller/language/gcode/flow/canon_interpreter.hpp"
 #include "controller/motion/count_logic_port.hpp"
 #include "controller/motion/motion_loop.hpp"
+#include "controller/motion/paper_logic_port.hpp"
 
 namespace armature {
 
@@ -19,48 +20,72 @@ static_assert(std::is_trivially_destructible_v<MotionLoop> && std::is_trivially_
 static_assert(MoveQueue::kMoves <= host_memory::kMaxWaitingMoves, "the bound of the ring of core 1's events");
 static_assert(gcode::CanonInterpreter::kMaxCallsPerStep + 2 <= host_memory::kMaxProgramNotes, "the same");
 
-Controller::Controller(const RobotModel& robot, const ControllerConfig& config,
-                       host_memory::HostMemory& memory) noexcept
-    : robot_{robot},
-      paper_{config.paper},
-      feedback_{config.feedback && !config.paper},
-      referenced_{config.referenced},
-      planning_{.sync = config.sync,
-                .flange_T_tool = config.flange_T_tool,
-                .base_T_user = config.base_T_user,
-                .max_stretch = config.max_stretch,
-                .conveyor = config.conveyor},
-      arm_{robot},
+namespace {
+
+void sleep_for_ever(RegisterBus& bus) noexcept {
+  while (bus.wait_for_interrupt(Interrupts::kNone) != Interrupts::kNone) {
+  }
+}
+
+}  // namespace
+
+Controller::Controller(host_memory::HostMemory& memory) noexcept
+    : boot_{memory},
+      planning_{.sync = boot_.config().sync,
+                .flange_T_tool = boot_.config().flange_T_tool,
+                .base_T_user = boot_.config().base_T_user,
+                .max_stretch = boot_.config().max_stretch,
+                .conveyor = boot_.config().conveyor},
+      arm_{boot_.robot()},
       core0_writer_{memory},
       core1_writer_{memory},
       belt_{memory},
       receiver_{memory, inboxes_},
       core1_{channel_, core1_writer_},
-      dispatcher_{robot, arm_, planning_, inboxes_, channel_, tool_, core1_},
+      dispatcher_{boot_.robot(), arm_, planning_, inboxes_, channel_, tool_, core1_},
+      store_{{.robot = boot_.robot(),
+              .arm = arm_,
+              .flange_T_tool = planning_.flange_T_tool,
+              .base_T_user = planning_.base_T_user},
+             boot_.config().job,
+             boot_.config().gcode},
       program_{inboxes_, dispatcher_.owner(), tool_, core1_} {
-  if (config.program != nullptr) program_.set(*config.program, config.program_start);
-  program_.resume_pauses_after(config.program_resumes_after);
+  load_program();
   core1_.add(receiver_);
   core1_.add(program_);
   core1_.add(dispatcher_);
   core1_.add(Interrupts::kGpio, tool_);
-  if (!config.pendant) return;
-  pendant_.emplace(*config.pendant, robot, arm_, planning_, channel_.loop.position, dispatcher_.owner(),
-                   inbox_of(inboxes_, Source::kPendant), program_);
+  if (!boot_.config().pendant) return;
+  pendant_.emplace(*boot_.config().pendant, boot_.robot(), arm_, planning_, channel_.loop.position, dispatcher_.owner(),
+                   inbox_of(inboxes_, Source::kPendant), store_, program_);
   core1_.add(*pendant_);
   core1_.add(Interrupts::kUart, pendant_->line());
 }
 
+void Controller::load_program() noexcept {
+  if (boot_.files().language == ProgramLanguage::kNone) return;
+  if (store_.load_first(boot_.files(), boot_.names(), boot_.texts()) != ProgramStore::Loaded::kYes) {
+    boot_.refuse_program(store_.error());
+    return;
+  }
+  program_.set(*store_.program(), boot_.config().program_start);
+  program_.resume_pauses_after(boot_.config().program_resumes_after);
+}
+
 void Controller::core0_main(RegisterBus& bus) noexcept {
+  if (!boot_.good()) return sleep_for_ever(bus);
+  const RobotModel& robot = boot_.robot();
+  const ControllerConfig& config = boot_.config();
   Core0Reporter reporter{core0_writer_, channel_, bus};
   const ConveyorConfig* conveyor = planning_.conveyor ? &*planning_.conveyor : nullptr;
   const auto run_on = [&](LogicPort& logic) {
     if (pendant_) logic.keep_drives_off();
-    SourceSelector source{robot_, arm_, planning_.flange_T_tool, channel_, reporter, logic, conveyor, &belt_};
-    MotionLoop{robot_, feedback_, logic, bus, channel_.loop, source, reporter, referenced_}.run();
+    SourceSelector source{robot, arm_, planning_.flange_T_tool, channel_, reporter, logic, conveyor, &belt_};
+    const bool feedback = config.feedback && !config.paper;
+    MotionLoop{robot, feedback, logic, bus, channel_.loop, source, reporter, config.referenced}.run();
   };
-  if (paper_) {
-    PaperLogicPort logic{bus, *paper_};
+  if (config.paper) {
+    PaperLogicPort logic{bus, *config.paper};
     run_on(logic);
   } else {
     CountLogicPort logic{bus};
@@ -69,6 +94,7 @@ void Controller::core0_main(RegisterBus& bus) noexcept {
 }
 
 void Controller::core1_main(RegisterBus& bus) noexcept {
+  if (!boot_.good()) return sleep_for_ever(bus);
   core1_.run(bus);
 }
 

@@ -8,28 +8,28 @@
 
 #include "controller/activity/channel.hpp"
 #include "controller/activity/tool_io.hpp"
-#include "controller/app/controller_config.hpp"
 #include "controller/app/core1_loop.hpp"
 #include "controller/app/host_receiver.hpp"
 #include "controller/cell/planning_config.hpp"
 #include "controller/command/dispatcher.hpp"
 #include "controller/hal/register_bus.hpp"
+#include "controller/host_memory/boot_reader.hpp"
 #include "controller/host_memory/controller_side.hpp"
 #include "controller/host_memory/memory.hpp"
 #include "controller/kinematics/arm.hpp"
 #include "controller/language/program/program_client.hpp"
+#include "controller/language/store/program_store.hpp"
 #include "controller/message/inbox.hpp"
-#include "controller/motion/paper_logic_port.hpp"
 #include "controller/pendant/client/pendant_client.hpp"
-#include "controller/robot/robot_model.hpp"
 
 namespace armature {
 
 class Controller {
  public:
-  // References must outlive the controller. The controller and its host share only `memory`: commands, events and
-  // telemetry pass through it. The host prepares it (host_memory/host_side.hpp) and wakes core 1 for new commands.
-  Controller(const RobotModel& robot, const ControllerConfig& config, host_memory::HostMemory& memory) noexcept;
+  // The memory must outlive the controller. It is all that the controller and its host share: robot, settings, program,
+  // commands, events and telemetry pass through it. The host prepares it (host_memory/boot_memory.hpp) and wakes core 1
+  // for new commands. If the memory is wrong, the controller tells the host and both cores sleep for ever.
+  explicit Controller(host_memory::HostMemory& memory) noexcept;
   Controller(const Controller&) = delete;
   Controller& operator=(const Controller&) = delete;
 
@@ -43,10 +43,9 @@ class Controller {
   [[nodiscard]] ProgramClient& program() noexcept { return program_; }
 
  private:
-  const RobotModel& robot_;
-  std::optional<PaperEncoders> paper_;
-  bool feedback_;
-  bool referenced_;
+  void load_program() noexcept;
+
+  host_memory::BootReader boot_;
   PlanningConfig planning_;
   Arm arm_;
   host_memory::Core0Writer core0_writer_;
@@ -58,6 +57,7 @@ class Controller {
   Core1Loop core1_;
   ToolIo tool_;
   Dispatcher dispatcher_;
+  ProgramStore store_;
   ProgramClient program_;
   std::optional<pendant::PendantClient> pendant_;
 };

@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <cstdint>
 
+#include "controller/base/members.hpp"
+#include "controller/base/misfit.hpp"
 #include "controller/kinematics/transform.hpp"
 
 namespace armature {
@@ -21,6 +23,20 @@ struct ConveyorConfig {
   double accel_mm_s2 = 2'000.0;   // > 0; the arm takes up and leaves the velocity of the belt with this acceleration
   double speed_tolerance = 0.1;   // 0 .. 0.5; plans are checked for belts that are slower and faster by this share
   double lead_s = 0.0;            // >= 0; the drives lag behind their set-points by this time
+
+  [[nodiscard]] const void* misfit() const noexcept {
+    constexpr double kRounding = 1e-9;
+    return first_misfit({{&direction, is_within(direction.squaredNorm(), 1.0 - kRounding, 1.0 + kRounding)},
+                         {&mm_per_count, is_positive(mm_per_count)},
+                         {&from_mm, is_finite(from_mm)},
+                         {&to_mm, is_finite(to_mm) && to_mm > from_mm},
+                         {&max_speed_mm_s, is_positive(max_speed_mm_s)},
+                         {&accel_mm_s2, is_positive(accel_mm_s2)},
+                         {&speed_tolerance, is_within(speed_tolerance, 0.0, 0.5)},
+                         {&lead_s, is_at_least_0(lead_s)}});
+  }
+  ARMATURE_MEMBERS(ConveyorConfig, base_T_part, direction, mm_per_count, from_mm, to_mm, max_speed_mm_s, accel_mm_s2,
+                   speed_tolerance, lead_s)
 };
 
 // The encoder of the belt.

@@ -7,10 +7,9 @@
 
 namespace armature::host_memory {
 
-HostSide::HostSide(HostMemory& memory) noexcept : memory_{memory} {
-  memory_.magic = kMagic;
-  memory_.layout = kLayout;
-  memory_.bytes = static_cast<std::uint32_t>(sizeof(HostMemory));
+const BootReport* HostSide::boot_problem() const noexcept {
+  const bool none = std::atomic_ref<std::uint32_t>{memory_.boot.problem}.load(std::memory_order_acquire) == 0;
+  return none ? nullptr : &memory_.boot;
 }
 
 bool HostSide::submit(Source source, const Command& command) noexcept {

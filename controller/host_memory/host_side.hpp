@@ -14,8 +14,11 @@ namespace armature::host_memory {
 
 class HostSide {
  public:
-  // Prepares the memory, which must be all 0. Construct it before the controller starts; the memory must outlive this.
-  explicit HostSide(HostMemory& memory) noexcept;
+  // The memory must outlive this. It has all that the controller starts with, see BootMemory.
+  explicit HostSide(HostMemory& memory) noexcept : memory_{memory} {}
+
+  // Why the controller has not started; null: it has, or will soon.
+  [[nodiscard]] const BootReport* boot_problem() const noexcept;
 
   // Writes a command to the ring of its source; the host then wakes core 1. False when the ring is full.
   [[nodiscard]] bool submit(Source source, const Command& command) noexcept;

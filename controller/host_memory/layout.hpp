@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <bitset>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -25,11 +26,13 @@ namespace armature::host_memory {
 
 template <class T>
 concept Number = std::is_same_v<T, char> || std::is_same_v<T, double> || std::is_same_v<T, std::uint8_t> ||
-    std::is_same_v<T, std::uint16_t> || std::is_same_v<T, std::uint32_t> || std::is_same_v<T, std::int8_t> ||
-    std::is_same_v<T, std::int64_t>;
+    std::is_same_v<T, std::uint16_t> || std::is_same_v<T, std::uint32_t> || std::is_same_v<T, std::uint64_t> ||
+    std::is_same_v<T, std::int8_t> || std::is_same_v<T, std::int32_t> || std::is_same_v<T, std::int64_t>;
+using Bits = std::bitset<64>;
 // What is written as one number: an enumerator as one byte, a flag as 0 or 1.
 template <class T>
-concept Scalar = Number<T> || Unit<T> || std::is_enum_v<T> || std::is_same_v<T, bool> || std::is_same_v<T, Tag>;
+concept Scalar = Number<T> || Unit<T> || std::is_enum_v<T> || std::is_same_v<T, bool> || std::is_same_v<T, Tag> ||
+    std::is_same_v<T, Bits>;
 template <class T>
 concept Optional = requires(const T& value) {
   value.has_value();
@@ -41,6 +44,8 @@ template <Scalar T>
 [[nodiscard]] constexpr auto number_of(const T& value) noexcept {
   if constexpr (std::is_same_v<T, Tag>) {
     return value.word();
+  } else if constexpr (std::is_same_v<T, Bits>) {
+    return static_cast<std::uint64_t>(value.to_ullong());
   } else if constexpr (Unit<T>) {
     return value.value();
   } else if constexpr (std::is_enum_v<T> || std::is_same_v<T, bool>) {
@@ -69,6 +74,7 @@ struct Field {
   std::size_t offset = 0;
   std::string_view type{};  // of one number: `f64`
   std::size_t count = 1;    // of numbers
+  std::size_t bytes = 0;    // of all of them
   const NamePart* name = nullptr;
   std::span<const std::string_view> words{};  // of an enumeration, from 0 on
 };
@@ -79,7 +85,9 @@ template <Scalar T>
   if constexpr (std::is_same_v<Number, char>) return "char";
   if constexpr (std::is_same_v<Number, double>) return "f64";
   if constexpr (std::is_same_v<Number, std::int64_t>) return "i64";
+  if constexpr (std::is_same_v<Number, std::int32_t>) return "i32";
   if constexpr (std::is_same_v<Number, std::int8_t>) return "i8";
+  if constexpr (std::is_same_v<Number, std::uint64_t>) return "u64";
   if constexpr (std::is_same_v<Number, std::uint32_t>) return "u32";
   if constexpr (std::is_same_v<Number, std::uint16_t>) return "u16";
   if constexpr (std::is_same_v<Number, std::uint8_t>) return std::is_same_v<T, bool> ? "flag" : "u8";
@@ -92,8 +100,9 @@ constexpr std::size_t describe(std::size_t at, const NamePart& name, Emit& emit,
   if constexpr (Scalar<T>) {
     std::span<const std::string_view> words;
     if constexpr (std::is_enum_v<T>) words = kWordsOf<T>;
-    emit(Field{aligned<T>(at), type_name<T>(), count, &name, words});
-    return aligned<T>(at) + count * sizeof(NumberOf<T>);
+    const std::size_t bytes = count * sizeof(NumberOf<T>);
+    emit(Field{aligned<T>(at), type_name<T>(), count, bytes, &name, words});
+    return aligned<T>(at) + bytes;
   } else if constexpr (kIsMatrix<T>) {
     return describe<typename T::Scalar>(at, name, emit, count * T::SizeAtCompileTime);
   } else if constexpr (Optional<T>) {
@@ -106,7 +115,7 @@ constexpr std::size_t describe(std::size_t at, const NamePart& name, Emit& emit,
     };
     std::apply([&](const auto&... member) { (describe_member(member), ...); }, T::members());
     return at;
-  } else if constexpr (HasMembers<typename T::value_type>) {
+  } else if constexpr (HasMembers<typename T::value_type> || Optional<typename T::value_type>) {
     for (std::size_t i = 0; i < std::tuple_size_v<T>; ++i) {
       at = describe<typename T::value_type>(at, NamePart{&name, {}, i}, emit);
     }

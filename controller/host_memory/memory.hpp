@@ -1,5 +1,6 @@
-// The memory that the controller shares with its host: the host writes commands, the controller writes events and
-// telemetry. LAYOUT.md describes it. It is the same, byte for byte, for every processor that runs the controller.
+// The memory that the controller shares with its host: the host writes what the controller starts with, and then
+// commands; the controller writes events and telemetry. LAYOUT.md describes it. It is the same, byte for byte, for
+// every processor that runs the controller.
 #pragma once
 
 #include <array>
@@ -9,13 +10,17 @@
 
 #include "controller/activity/channel.hpp"
 #include "controller/base/tag.hpp"
+#include "controller/host_memory/controller_config.hpp"
 #include "controller/host_memory/layout.hpp"
 #include "controller/host_memory/ring.hpp"
 #include "controller/host_memory/slot.hpp"
+#include "controller/language/store/program_files.hpp"
+#include "controller/language/text/diagnostics.hpp"
 #include "controller/message/command.hpp"
 #include "controller/message/event.hpp"
 #include "controller/message/inbox.hpp"
 #include "controller/message/telemetry.hpp"
+#include "controller/robot/robot_model.hpp"
 
 namespace armature::host_memory {
 
@@ -45,34 +50,62 @@ static_assert(kInboxCommands == CommandRing::kCapacity, "an inbox takes all that
 
 using CommandRings = std::array<CommandRing, kHostSources>;
 
+// Why the controller has not started. It then does nothing more.
+enum class BootProblem : std::uint8_t {
+  kNone,         // it has started, or was not yet constructed
+  kOtherLayout,  // the memory is not prepared, or host and controller were built with other lists of members
+  kRobot,        // a block has a value that is not allowed
+  kConfig,
+  kProgram,
+  kProgramText,  // the program does not load
+};
+
+struct BootReport {
+  std::uint32_t problem{};  // BootProblem; written last
+  std::uint32_t place{};    // kRobot, kConfig, kProgram: the first free byte of the block before the value
+  std::array<char, DiagnosticText::kMaxSize> text{};  // kProgramText: FILE:LINE:COLUMN: what is wrong; then 0
+  ARMATURE_MEMBERS(BootReport, problem, place, text)
+};
+
+template <class T>
+using Block = std::array<std::uint8_t, kWireSize<T>>;
+
 struct PublishedTelemetry {
   std::uint32_t published{};  // odd while the bytes are being written; 2 more with each tick
   std::uint32_t reserved{};
-  std::array<std::uint8_t, kWireSize<Telemetry>> body{};
+  Block<Telemetry> body{};
   ARMATURE_MEMBERS(PublishedTelemetry, published, reserved, body)
 };
 
 struct HostMemory {
-  std::uint32_t magic{};           // kMagic: the host has prepared the memory
-  std::uint32_t bytes{};           // size of the whole memory
-  std::uint64_t layout{};          // kLayout of the host
+  std::uint32_t magic{};      // kMagic: the host has prepared the memory
+  std::uint32_t bytes{};      // size of the whole memory, with the texts behind this
+  std::uint64_t layout{};     // layout_of_memory() of the host
+  BootReport boot{};          // written by the controller; its place never changes
+  Block<RobotModel> robot{};  // these three are written by the host before the controller starts
+  Block<ControllerConfig> config{};
+  Block<ProgramFiles> program{};   // the names of its files, and then their texts, stand behind this memory
   PublishedTelemetry telemetry{};  // of the last tick; written by core 0
   CommandRings commands{};         // one ring for each source, written by the host
   Core0Events core0_events{};      // written by core 0
   Core1Events core1_events{};      // written by core 1
   std::int64_t belt_counts{};      // encoder of the conveyor, written by the host
-  ARMATURE_MEMBERS(HostMemory, magic, bytes, layout, telemetry, commands, core0_events, core1_events, belt_counts)
+  ARMATURE_MEMBERS(HostMemory, magic, bytes, layout, boot, robot, config, program, telemetry, commands, core0_events,
+                   core1_events, belt_counts)
 };
 static_assert(std::is_standard_layout_v<HostMemory>);
 
 // Equal for two sides that agree on every byte of the memory.
-inline constexpr std::uint64_t kLayout = [] {
+[[nodiscard]] consteval std::uint64_t layout_of_memory() {
   LayoutHash hash;
   add_layout(hash, std::type_identity<Command>{});
   add_layout(hash, std::type_identity<Event>{});
   describe<Telemetry>(0, NamePart{}, hash);
+  describe<RobotModel>(0, NamePart{}, hash);
+  describe<ControllerConfig>(0, NamePart{}, hash);
+  describe<ProgramFiles>(0, NamePart{}, hash);
   hash.add(sizeof(HostMemory));
   return hash.value();
-}();
+}
 
 }  // namespace armature::host_memory

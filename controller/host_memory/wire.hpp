@@ -25,6 +25,8 @@ template <Scalar T>
 [[nodiscard]] constexpr bool assign(NumberOf<T> number, T& value) noexcept {
   if constexpr (std::is_same_v<T, Tag>) {
     value = Tag::from_word(number);
+  } else if constexpr (std::is_same_v<T, Bits>) {
+    value = Bits{number};
   } else if constexpr (Unit<T>) {
     value = T{number};
   } else if constexpr (std::is_same_v<T, bool>) {
@@ -65,39 +67,71 @@ std::size_t put(std::uint8_t* bytes, std::size_t at, const T& value) noexcept {
   }
 }
 
-// Reads what put() wrote; `at` becomes its end. False if a byte is no flag or no enumerator, or if a type does not fit
-// its own limits: T::fits(), where it has one.
+// The first free byte before a member of a value that begins at the first free byte `at`.
+template <HasMembers T>
+[[nodiscard]] std::size_t begin_of_member(std::size_t at, const T& value, const void* wanted) noexcept {
+  bool found = false;
+  for_each_member(value, [&]<class M>(const char*, const M& member) {
+    found = found || &member == wanted;
+    if (!found) at = end_of<M>(at);
+  });
+  return at;
+}
+
+// Reads what put() wrote; `at` becomes its end. False if a byte is no flag or no enumerator, or if a member has a value
+// that its type does not allow (base/misfit.hpp): `at` is then the first free byte before that member.
+template <class T>
+[[nodiscard]] bool take(const std::uint8_t* bytes, std::size_t& at, T& value) noexcept;
+
+template <Optional T>
+[[nodiscard]] bool take_optional(const std::uint8_t* bytes, std::size_t& at, T& value) noexcept {
+  bool has_value = false;
+  value.reset();
+  if (!take(bytes, at, has_value)) return false;
+  const std::size_t end = end_of<typename T::value_type>(at);
+  if (has_value && !take(bytes, at, value.emplace())) return false;
+  at = end;
+  return true;
+}
+
+template <HasMembers T>
+[[nodiscard]] bool take_members(const std::uint8_t* bytes, std::size_t& at, T& value) noexcept {
+  const std::size_t begin = at;
+  bool good = true;
+  for_each_member(value, [&](const char*, auto& member) { good = good && take(bytes, at, member); });
+  if constexpr (requires { value.misfit(); }) {
+    if (!good || value.misfit() == nullptr) return good;
+    at = begin_of_member(begin, value, value.misfit());
+    return false;
+  }
+  return good;
+}
+
 template <class T>
 [[nodiscard]] bool take(const std::uint8_t* bytes, std::size_t& at, T& value) noexcept {
   if constexpr (Scalar<T>) {
     NumberOf<T> number{};
     at = aligned<T>(at);
     std::memcpy(&number, bytes + at, sizeof(number));
+    if (!assign(number, value)) return false;
     at += sizeof(number);
-    return assign(number, value);
+    return true;
   } else if constexpr (kIsMatrix<T>) {
-    bool good = true;
     for (Eigen::Index row = 0; row < value.rows(); ++row) {
-      for (Eigen::Index column = 0; column < value.cols(); ++column) good &= take(bytes, at, value(row, column));
+      for (Eigen::Index column = 0; column < value.cols(); ++column) {
+        if (!take(bytes, at, value(row, column))) return false;
+      }
     }
-    return good;
+    return true;
   } else if constexpr (Optional<T>) {
-    bool has_value = false;
-    bool good = take(bytes, at, has_value);
-    value.reset();
-    std::size_t end = at;
-    if (has_value) good &= take(bytes, end, value.emplace());
-    at = end_of<typename T::value_type>(at);
-    return good;
+    return take_optional(bytes, at, value);
   } else if constexpr (HasMembers<T>) {
-    bool good = true;
-    for_each_member(value, [&](const char*, auto& member) { good &= take(bytes, at, member); });
-    if constexpr (requires { value.fits(); }) good = good && value.fits();
-    return good;
+    return take_members(bytes, at, value);
   } else {
-    bool good = true;
-    for (auto& element : value) good &= take(bytes, at, element);
-    return good;
+    for (auto& element : value) {
+      if (!take(bytes, at, element)) return false;
+    }
+    return true;
   }
 }
 

@@ -19,6 +19,12 @@ bool is_rigid(const Transform& a_T_b) noexcept {
          std::fabs(a_T_b.position_mm.z()) <= kFarthest_mm;
 }
 
+const void* Transform::misfit() const noexcept {
+  if (is_rigid(*this)) return nullptr;
+  const bool rotates = is_rigid({.rotation = rotation});
+  return rotates ? static_cast<const void*>(&position_mm) : &rotation;
+}
+
 Eigen::Matrix3d rotation_from_rpy(double roll_rad, double pitch_rad, double yaw_rad) noexcept {
   const auto [sr, cr] = math::sin_cos(roll_rad);
   const auto [sp, cp] = math::sin_cos(pitch_rad);

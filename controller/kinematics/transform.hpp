@@ -6,11 +6,16 @@
 
 #include <Eigen/Core>
 
+#include "controller/base/members.hpp"
+
 namespace armature {
 
 struct Transform {
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  // orthonormal, determinant +1
   Eigen::Vector3d position_mm = Eigen::Vector3d::Zero();
+
+  [[nodiscard]] const void* misfit() const noexcept;  // see is_rigid()
+  ARMATURE_MEMBERS(Transform, rotation, position_mm)
 };
 
 [[nodiscard]] inline Transform operator*(const Transform& a_T_b, const Transform& b_T_c) noexcept {

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "controller/base/members.hpp"
+#include "controller/base/misfit.hpp"
 
 namespace armature {
 
@@ -33,7 +34,9 @@ struct ProgramNoted {
   std::uint16_t inputs = 0;  // kWaits, kWaited: the inputs of the tool that the condition has read, bit 0 for pin 1
   std::array<char, kMaxText> text{};
 
-  [[nodiscard]] constexpr bool fits() const noexcept { return text_size <= kMaxText; }
+  [[nodiscard]] constexpr const void* misfit() const noexcept {
+    return first_misfit({{&text_size, text_size <= kMaxText}});
+  }
   [[nodiscard]] constexpr std::string_view view() const noexcept { return {text.data(), text_size}; }
   // What does not fit is cut off.
   constexpr void set_text(std::string_view all) noexcept {

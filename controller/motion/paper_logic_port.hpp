@@ -22,6 +22,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "controller/base/members.hpp"
+#include "controller/base/misfit.hpp"
 #include "controller/drivers/axi_timer.hpp"
 #include "controller/drivers/encoder_switch.hpp"
 #include "controller/drivers/pulse_width.hpp"
@@ -34,8 +36,13 @@ namespace armature {
 
 // The selection of the one decoder.
 struct PaperEncoders {
-  std::size_t axis = 0;  // 0..5: this axis; with switch_every the first one
-  Ticks switch_every{};  // 0: no switching; else at least 2: every axis of the robot in turn, for so many ticks each
+  std::uint32_t axis = 0;  // 0..5: this axis; with switch_every the first one
+  Ticks switch_every{};    // 0: no switching; else at least 2: every axis of the robot in turn, for so many ticks each
+
+  [[nodiscard]] constexpr const void* misfit() const noexcept {
+    return first_misfit({{&axis, axis < kAxes}, {&switch_every, switch_every == Ticks{0} || switch_every >= Ticks{2}}});
+  }
+  ARMATURE_MEMBERS(PaperEncoders, axis, switch_every)
 };
 
 class PaperLogicPort final : public LogicPort {

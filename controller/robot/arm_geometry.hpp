@@ -2,10 +2,13 @@
 // of numbers. Lengths in mm, standard Denavit-Hartenberg parameters.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
 #include "controller/base/axes.hpp"
+#include "controller/base/members.hpp"
+#include "controller/base/misfit.hpp"
 
 namespace armature {
 
@@ -30,6 +33,23 @@ struct ArmGeometry {
   // kFiveR: a pose that five joints cannot reach is replaced by the nearest one that they can. This is the largest
   // rotation allowed for that; poses farther away are refused. (Hu 2012 does not treat this case.)
   double max_projection_rad = 0.0;
+
+  [[nodiscard]] constexpr const void* misfit() const noexcept {
+    const auto is_sign = [](double of_axis) { return of_axis == 1.0 || of_axis == -1.0; };
+    return first_misfit({{&a1_mm, is_finite(a1_mm)},
+                         {&a2_mm, family == ArmFamily::kNone ? is_finite(a2_mm) : is_positive(a2_mm)},
+                         {&a3_mm, is_finite(a3_mm)},
+                         {&a4_mm, is_finite(a4_mm)},
+                         {&d1_mm, is_finite(d1_mm)},
+                         {&d4_mm, is_finite(d4_mm)},
+                         {&d5_mm, is_finite(d5_mm)},
+                         {&d6_mm, is_finite(d6_mm)},
+                         {&sign, std::all_of(sign.begin(), sign.end(), is_sign)},
+                         {&offset_rad, are_finite(offset_rad)},
+                         {&max_projection_rad, is_at_least_0(max_projection_rad)}});
+  }
+  ARMATURE_MEMBERS(ArmGeometry, family, a1_mm, a2_mm, a3_mm, a4_mm, d1_mm, d4_mm, d5_mm, d6_mm, sign, offset_rad,
+                   max_projection_rad)
 };
 
 }  // namespace armature

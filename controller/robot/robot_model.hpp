@@ -1,12 +1,13 @@
-// A robot as constant data: the properties of each axis that the controller needs. Loaded from scenarios/robots/*.toml
-// on the host, a constant table on the target.
+// A robot as constant data: the properties of each axis that the controller needs. The host loads it from
+// scenarios/robots/*.toml and gives it to the controller in the host memory.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 
 #include "controller/base/axes.hpp"
+#include "controller/base/members.hpp"
+#include "controller/base/misfit.hpp"
 #include "controller/robot/arm_geometry.hpp"
 
 namespace armature {
@@ -19,6 +20,16 @@ struct HomingModel {
   double latch_rad_s = 0.0;   // > 0; away from the edge of the switch to the index
   double index_rad = 0.0;     // joint angle at the first index behind the edge
   double home_rad = 0.0;      // where the axis stands at the end
+
+  [[nodiscard]] constexpr const void* misfit() const noexcept {
+    return first_misfit({{&order, order >= 1 && order <= kAxes},
+                         {&direction, direction == 1.0 || direction == -1.0},
+                         {&search_rad_s, is_positive(search_rad_s)},
+                         {&latch_rad_s, is_positive(latch_rad_s)},
+                         {&index_rad, is_finite(index_rad)},
+                         {&home_rad, is_finite(home_rad)}});
+  }
+  ARMATURE_MEMBERS(HomingModel, order, direction, search_rad_s, latch_rad_s, index_rad, home_rad)
 };
 
 struct AxisModel {
@@ -46,8 +57,8 @@ struct AxisModel {
 
   // Direction set-up and hold times from the drive's data sheet, in cycles of the logic (20 ns), 0..1023: direction
   // stable before the first rising step edge after a change, and after the last falling edge before it. The logic has
-  // one setting for all axes; the largest value is used. A value above 1023 does not fit the register and is an error
-  // of the model.
+  // one setting for all axes; the largest value is used.
+  static constexpr std::int32_t kMaxDirCycles = 1023;
   std::int32_t dir_setup_cycles = 25;
   std::int32_t dir_hold_cycles = 25;
 
@@ -61,13 +72,39 @@ struct AxisModel {
   [[nodiscard]] constexpr double nearer_limit_rad(double angle_rad) const noexcept {
     return angle_rad - min_rad < max_rad - angle_rad ? min_rad : max_rad;
   }
+
+  [[nodiscard]] constexpr const void* misfit() const noexcept {
+    return first_misfit({{&gear_ratio, is_finite(gear_ratio) && gear_ratio != 0.0},
+                         {&pulses_per_rev, pulses_per_rev > 0},
+                         {&counts_per_rev, counts_per_rev > 0},
+                         {&min_rad, is_finite(min_rad)},
+                         {&max_rad, is_finite(max_rad) && max_rad >= min_rad},
+                         {&max_speed_rad_s, is_at_least_0(max_speed_rad_s)},
+                         {&max_accel_rad_s2, is_at_least_0(max_accel_rad_s2)},
+                         {&max_jerk_rad_s3, is_at_least_0(max_jerk_rad_s3)},
+                         {&following_error_limit_rad, is_at_least_0(following_error_limit_rad)},
+                         {&drive_natural_rad_s, is_at_least_0(drive_natural_rad_s)},
+                         {&drive_damping, is_at_least_0(drive_damping)},
+                         {&dir_setup_cycles, dir_setup_cycles >= 0 && dir_setup_cycles <= kMaxDirCycles},
+                         {&dir_hold_cycles, dir_hold_cycles >= 0 && dir_hold_cycles <= kMaxDirCycles},
+                         {&min_step_high_cycles, min_step_high_cycles >= 0},
+                         {&min_step_low_cycles, min_step_low_cycles >= 0}});
+  }
+  ARMATURE_MEMBERS(AxisModel, gear_ratio, pulses_per_rev, counts_per_rev, min_rad, max_rad, max_speed_rad_s,
+                   max_accel_rad_s2, max_jerk_rad_s3, following_error_limit_rad, drive_natural_rad_s, drive_damping,
+                   dir_setup_cycles, dir_hold_cycles, min_step_high_cycles, min_step_low_cycles, homing)
 };
 
 struct RobotModel {
   PerAxis<AxisModel> axes{};
   // Joints of the arm, 1..kAxes. The axes beyond have no drive; their set-points stay 0.
-  std::size_t axis_count = kAxes;
+  std::uint32_t axis_count = kAxes;
   ArmGeometry arm{};
+
+  [[nodiscard]] constexpr const void* misfit() const noexcept {
+    return first_misfit({{&axis_count, axis_count >= 1 && axis_count <= kAxes}});
+  }
+  ARMATURE_MEMBERS(RobotModel, axes, axis_count, arm)
 };
 
 }  // namespace armature

@@ -19,10 +19,8 @@ constexpr std::array<Line, 3> kLines{{{regs::soc::kAxiTimerIrq, 0, Interrupts::k
 
 }  // namespace
 
-FiberProcessor::FiberProcessor(const RobotModel& robot, const ControllerConfig& config, const CpuSpec& spec)
-    : robot_{robot},
-      memory_{std::make_unique<host_memory::HostMemory>()},
-      controller_{robot_, config, *memory_},
+FiberProcessor::FiberProcessor(host_memory::HostMemory& memory, const CpuSpec& spec)
+    : controller_{memory},
       cores_{{{0, spec, [this](RegisterBus& bus) { controller_.core0_main(bus); }},
               {1, spec, [this](RegisterBus& bus) { controller_.core1_main(bus); }}}} {}
 

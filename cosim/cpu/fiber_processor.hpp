@@ -3,10 +3,9 @@
 
 #include <array>
 #include <deque>
-#include <memory>
 
 #include "controller/app/controller.hpp"
-#include "controller/robot/robot_model.hpp"
+#include "controller/host_memory/memory.hpp"
 #include "cosim/cpu/core.hpp"
 #include "cosim/cpu/cpu_spec.hpp"
 #include "cosim/cpu/processor.hpp"
@@ -15,10 +14,9 @@ namespace armature::cosim {
 
 class FiberProcessor final : public Processor {
  public:
-  FiberProcessor(const RobotModel& robot, const ControllerConfig& config, const CpuSpec& spec);
+  FiberProcessor(host_memory::HostMemory& memory, const CpuSpec& spec);
 
   // Processor
-  host_memory::HostMemory& memory() override { return *memory_; }
   void notify(Cycles now) override;
   std::optional<Cycles> next_event() const override;
   void advance(Cycles now) override;
@@ -36,8 +34,6 @@ class FiberProcessor final : public Processor {
  private:
   void exchange_events(Cycles now);
 
-  RobotModel robot_;
-  std::unique_ptr<host_memory::HostMemory> memory_;
   Controller controller_;
   std::deque<Access> stray_;   // not finished
   std::array<Core, 2> cores_;  // last member: their mains use all of the above

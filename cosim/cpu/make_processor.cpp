@@ -4,9 +4,8 @@
 
 namespace armature::cosim {
 
-std::unique_ptr<Processor> make_processor(const RobotModel& robot, const ControllerConfig& config,
-                                          const CpuSpec& spec) {
-  return std::make_unique<FiberProcessor>(robot, config, spec);
+std::unique_ptr<Processor> make_processor(host_memory::HostMemory& memory, const CpuSpec& spec) {
+  return std::make_unique<FiberProcessor>(memory, spec);
 }
 
 }  // namespace armature::cosim

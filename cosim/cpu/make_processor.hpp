@@ -3,15 +3,14 @@
 
 #include <memory>
 
-#include "controller/app/controller_config.hpp"
-#include "controller/robot/robot_model.hpp"
+#include "controller/host_memory/memory.hpp"
 #include "cosim/cpu/cpu_spec.hpp"
 #include "cosim/cpu/processor.hpp"
 
 namespace armature::cosim {
 
-// Both cores are at the start of their mains. A program in `config` must outlive the processor.
-[[nodiscard]] std::unique_ptr<Processor> make_processor(const RobotModel& robot, const ControllerConfig& config,
-                                                        const CpuSpec& spec);
+// Both cores are at the start of their mains. `memory` is the one that host and controller share, with all that the
+// controller starts with; it must outlive the processor.
+[[nodiscard]] std::unique_ptr<Processor> make_processor(host_memory::HostMemory& memory, const CpuSpec& spec);
 
 }  // namespace armature::cosim

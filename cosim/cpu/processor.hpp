@@ -11,7 +11,6 @@
 #include <optional>
 
 #include "controller/base/units.hpp"
-#include "controller/host_memory/memory.hpp"
 #include "cosim/bus/bus_access.hpp"
 
 namespace armature::cosim {
@@ -34,10 +33,8 @@ class Processor {
 
   virtual ~Processor() = default;
 
-  // The memory that is shared with the controller. The host must read its rings of events after each of the calls
-  // below.
-  [[nodiscard]] virtual host_memory::HostMemory& memory() = 0;
-  // Wakes core 1 after the host has written commands into the host memory.
+  // Wakes core 1 after the host has written commands into the host memory. The host must read the rings of events there
+  // after each of the calls below.
   virtual void notify(Cycles now) = 0;
 
   // The next cycle at which a core continues by itself, if there is one.

@@ -11,8 +11,8 @@
 
 #include "controller/base/timebase.hpp"
 #include "cosim/cpu/make_processor.hpp"
+#include "cosim/kernel/boot_text.hpp"
 #include "cosim/scenario/command_names.hpp"
-#include "cosim/scenario/program_start.hpp"
 #include "cosim/scenario/to_controller.hpp"
 #include "cosim/time/clock.hpp"
 
@@ -23,19 +23,6 @@ namespace {
 constexpr std::array kBusErrorTexts{"ok", "the slave answered SLVERR", "no slave at this address (DECERR)",
                                     "no answer within the time-out"};
 static_assert(kBusErrorTexts.size() == kBusErrorNames.size());
-
-ControllerConfig with_program(ControllerConfig config, const Scenario& scenario, ArmProgram* program) {
-  if (program == nullptr) return config;
-  config.program = &program->interpreter();
-  config.program_start.reset();
-  if (scenario.program_at_s || !scenario.pendant) {
-    config.program_start = Ticks{std::llround(program_start_s(scenario) / kTickSeconds)};
-  }
-  if (scenario.program_resumes_after_s) {
-    config.program_resumes_after = Ticks{std::llround(*scenario.program_resumes_after_s / kTickSeconds)};
-  }
-  return config;
-}
 
 std::optional<Cycles> drop_out(const Scenario& scenario) {
   if (!scenario.drop_out_us) return std::nullopt;
@@ -50,11 +37,9 @@ Simulation::Simulation(const Scenario& scenario, std::unique_ptr<Soc> soc, Simul
       listener_{listener},
       software_{scenario},
       soc_{std::move(soc)},
-      arm_program_{scenario.program ? std::make_unique<ArmProgram>(scenario) : nullptr},
-      processor_{make_processor(to_robot_model(scenario.robot),
-                                with_program(to_controller_config(scenario), scenario, arm_program_.get()),
-                                scenario.cpu)},
-      host_{processor_->memory()},
+      memory_(to_boot_memory(scenario)),
+      processor_{make_processor(memory_.memory(), scenario.cpu)},
+      host_{memory_.memory()},
       plant_{scenario.robot, drop_out(scenario), scenario.unreferenced_start_deg.value_or(PerAxis<double>{})},
       conservation_{
           plant_, scenario.bus, {.paper = scenario.variant == Variant::kPaper, .input_jitter = scenario.input_jitter}},
@@ -254,6 +239,7 @@ void Simulation::read_host_memory() {
     }
   }
   if (const std::optional<Telemetry> telemetry = host_.new_telemetry()) telemetry_ = *telemetry;
+  if (const host_memory::BootReport* report = host_.boot_problem()) fail(boot_text(*report));
   if (host_.lost_events() != 0) fail("the host memory of the controller had no room for an event");
 }
 

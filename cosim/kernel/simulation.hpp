@@ -11,6 +11,7 @@
 #include <string>
 #include <string_view>
 
+#include "controller/host_memory/boot_memory.hpp"
 #include "controller/host_memory/host_side.hpp"
 #include "controller/message/event.hpp"
 #include "controller/message/telemetry.hpp"
@@ -18,7 +19,6 @@
 #include "cosim/check/conservation.hpp"
 #include "cosim/cpu/processor.hpp"
 #include "cosim/fault/injector.hpp"
-#include "cosim/kernel/arm_program.hpp"
 #include "cosim/kernel/move_feeder.hpp"
 #include "cosim/kernel/program_watch.hpp"
 #include "cosim/kernel/script.hpp"
@@ -106,7 +106,7 @@ class Simulation final {
   SimulationListener& listener_;
   SoftwareWatch software_;  // before the chip, whose waveforms show it
   std::unique_ptr<Soc> soc_;
-  std::unique_ptr<ArmProgram> arm_program_;  // of the scenario; the processor executes it
+  host_memory::BootMemory memory_;  // that the host shares with the controller
   std::unique_ptr<Processor> processor_;
   host_memory::HostSide host_;
   Plant plant_;

@@ -19,7 +19,7 @@ JoinedGcode::JoinedGcode(std::span<const ProgramFile> files) {
   for (const ProgramFile& file : files) {
     text_ += file.text;
     if (files.size() > 1 && !ends_line(file.text)) text_ += '\n';
-    ends_.push_back(text_.size());
+    ends_.push_back(static_cast<std::uint32_t>(text_.size()));
   }
 }
 

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "controller/language/gcode/flow/flow_index.hpp"
@@ -18,17 +19,22 @@ namespace armature::cosim {
 // The texts of several files as the interpreter reads them, one behind the other.
 class JoinedGcode {
  public:
-  // The first file is the main program. There is at least one.
+  // The first file is the main program.
   explicit JoinedGcode(std::span<const ProgramFile> files);
 
   // Valid as long as this.
   [[nodiscard]] gcode::ProgramText text() const { return {.text = text_, .ends = ends_}; }
+  // Of one file, with its last line end.
+  [[nodiscard]] std::string_view file(std::size_t index) const {
+    const std::size_t begin = index == 0 ? 0 : ends_[index - 1];
+    return std::string_view{text_}.substr(begin, ends_[index] - begin);
+  }
   // Puts blanks in place of a line of the text, from 1.
   void blank_line(std::uint32_t line);
 
  private:
   std::string text_;
-  std::vector<std::size_t> ends_;
+  std::vector<std::uint32_t> ends_;
 };
 
 // The subroutines that the files call and do not define, each once: "100", "probe". A call with a computed number is

@@ -2,15 +2,14 @@
 // lower case are the same, because many controllers write upper case.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
 
-namespace armature::cosim {
+#include "controller/language/store/program_files.hpp"
 
-enum class ProgramLanguage : std::uint8_t { kNone, kGcode, kJob };
+namespace armature::cosim {
 
 // For messages: "expected a file that " this.
 inline constexpr std::string_view kEndsLikeProgram = "ends in .ngc, .nc, .gcode or .jbi";

@@ -1,14 +1,20 @@
-// The robot, the tool, the frames and the conveyor.
+// What the controller starts with: the robot, the settings and the program.
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <numbers>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "controller/base/angle_units.hpp"
+#include "controller/base/timebase.hpp"
 #include "controller/cell/conveyor_config.hpp"
 #include "controller/trajectory/profile/synchronise.hpp"
+#include "cosim/programs/gcode_files.hpp"
+#include "cosim/programs/program_name.hpp"
+#include "cosim/scenario/program_start.hpp"
 #include "cosim/scenario/to_controller.hpp"
 
 namespace armature::cosim {
@@ -122,11 +128,8 @@ job::MachineSettings to_job_settings(const JobSpec& job) {
   return settings;
 }
 
-RobotCell to_cell(const Scenario& scenario, const RobotModel& robot, const Arm& arm) {
-  return {.robot = robot,
-          .arm = arm,
-          .flange_T_tool = to_transform(scenario.tool),
-          .base_T_user = to_user_frames(scenario.frames)};
+Ticks to_ticks(double time_s) {
+  return Ticks{std::llround(time_s / kTickSeconds)};
 }
 
 }  // namespace
@@ -134,7 +137,7 @@ RobotCell to_cell(const Scenario& scenario, const RobotModel& robot, const Arm& 
 RobotModel to_robot_model(const RobotSpec& robot) {
   RobotModel model;
   for (std::size_t i = 0; i < kAxes; ++i) model.axes[i] = to_axis_model(robot.axes[i]);
-  model.axis_count = robot.axis_count;
+  model.axis_count = static_cast<std::uint32_t>(robot.axis_count);
   for (std::size_t i = robot.axis_count; i < kAxes; ++i) model.axes[i].min_rad = model.axes[i].max_rad = 0.0;
   if (robot.kinematics) model.arm = to_arm_geometry(*robot.kinematics);
   return model;
@@ -148,30 +151,45 @@ ControllerConfig to_controller_config(const Scenario& scenario) {
                 : controller.sync == "time_scale" ? SyncRule::kTimeScale
                                                   : SyncRule::kFig9;
   if (scenario.variant == Variant::kPaper) {
-    config.paper = {.axis = static_cast<std::size_t>(scenario.paper.encoder_axis - 1),
+    config.paper = {.axis = static_cast<std::uint32_t>(scenario.paper.encoder_axis - 1),
                     .switch_every = Ticks{scenario.paper.switch_every_ticks.value_or(0)}};
   }
   if (scenario.pendant) {
     config.pendant = {
         .profile = scenario.pendant->profile == "extended" ? pendant::Profile::kExtended : pendant::Profile::kStrict,
-        .paper_logic = scenario.variant == Variant::kPaper,
-        .job = to_job_settings(scenario.job),
-        .gcode = to_gcode_settings(scenario.gcode)};
+        .paper_logic = scenario.variant == Variant::kPaper};
   }
   config.max_stretch = controller.max_stretch;
   config.referenced = !scenario.unreferenced_start_deg;
   config.flange_T_tool = to_transform(scenario.tool);
   config.base_T_user = to_user_frames(scenario.frames);
   if (scenario.conveyor) config.conveyor = to_conveyor_config(*scenario.conveyor);
+  config.job = to_job_settings(scenario.job);
+  config.gcode = to_gcode_settings(scenario.gcode);
+  config.program_start.reset();
+  if (scenario.program_at_s || !scenario.pendant) config.program_start = to_ticks(program_start_s(scenario));
+  if (scenario.program_resumes_after_s) config.program_resumes_after = to_ticks(*scenario.program_resumes_after_s);
   return config;
 }
 
-gcode::MotionSetup to_gcode_setup(const Scenario& scenario, const RobotModel& robot, const Arm& arm) {
-  return {.cell = to_cell(scenario, robot, arm), .settings = to_gcode_settings(scenario.gcode)};
+host_memory::BootMemory to_boot_memory(const Scenario& scenario) {
+  const JoinedGcode gcode{scenario.program_files};
+  host_memory::BootProgram program;
+  if (scenario.program) program.language = program_language(*scenario.program);
+  for (std::size_t i = 0; i < scenario.program_files.size(); ++i) {
+    const ProgramFile& file = scenario.program_files[i];
+    const bool joined = program.language == ProgramLanguage::kGcode;
+    program.files.push_back({.name = file.name, .text = joined ? gcode.file(i) : std::string_view{file.text}});
+  }
+  return {to_robot_model(scenario.robot), to_controller_config(scenario), program};
 }
 
-job::MachineSetup to_job_setup(const Scenario& scenario, const RobotModel& robot, const Arm& arm) {
-  return {.cell = to_cell(scenario, robot, arm), .settings = to_job_settings(scenario.job)};
+gcode::MotionSetup to_gcode_setup(const Scenario& scenario, const RobotModel& robot, const Arm& arm) {
+  return {.cell = {.robot = robot,
+                   .arm = arm,
+                   .flange_T_tool = to_transform(scenario.tool),
+                   .base_T_user = to_user_frames(scenario.frames)},
+          .settings = to_gcode_settings(scenario.gcode)};
 }
 
 }  // namespace armature::cosim

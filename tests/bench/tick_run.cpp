@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "controller/host_memory/boot_memory.hpp"
 #include "controller/host_memory/host_side.hpp"
 #include "controller/regs/axi_timer_regs.hpp"
 #include "controller/regs/encoder_regs.hpp"
@@ -132,10 +133,9 @@ void evict_caches() {
 
 TickRun run(const TickScript& script) {
   Notes notes{script.ticks};
-  const auto memory = std::make_unique<host_memory::HostMemory>();
-  host_memory::HostSide host{*memory};
-  const auto controller = std::make_unique<Controller>(
-      script.robot, ControllerConfig{.flange_T_tool = script.flange_T_tool, .base_T_user = {}}, *memory);
+  host_memory::BootMemory memory{script.robot, {.flange_T_tool = script.flange_T_tool, .base_T_user = {}}};
+  host_memory::HostSide host{memory.memory()};
+  const auto controller = std::make_unique<Controller>(memory.memory());
   Core1Thread core1{*controller};
   auto next = script.commands.begin();
   auto program = script.program.begin();

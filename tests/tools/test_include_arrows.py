@@ -24,7 +24,6 @@ CONTROLLER = {
 }
 CONTROLLER["activity"] = CONTROLLER["motion"] | {"motion"}
 CONTROLLER["command"] = CONTROLLER["activity"] | {"activity"}
-CONTROLLER["host_memory"] = {"base", "kinematics", "trajectory", "message", "cell", "motion", "activity"}
 CONTROLLER["language"] = {
     "base",
     "robot",
@@ -37,7 +36,8 @@ CONTROLLER["language"] = {
     "command",
 }
 CONTROLLER["pendant"] = CONTROLLER["command"] | {"command", "language"}
-CONTROLLER["app"] = CONTROLLER["pendant"] | {"host_memory", "pendant"}
+CONTROLLER["host_memory"] = CONTROLLER["pendant"] | {"pendant"}
+CONTROLLER["app"] = CONTROLLER["host_memory"] | {"host_memory"}
 # Folders within a folder, with what they may include of it; of other folders, what the folder may.
 TRAJECTORY = {
     "profile": set(),
@@ -62,6 +62,7 @@ LANGUAGE = {
     "program": {"text"},
     "job": {"text", "program"},
     "gcode": {"text", "program"},
+    "store": {"text", "program", "job", "gcode"},
 }
 # From the text of a program of G-code to the arm.
 GCODE = {

@@ -11,6 +11,8 @@ namespace armature {
 template <std::size_t kSize>
 class FixedText {
  public:
+  static constexpr std::size_t kMaxSize = kSize;
+
   constexpr FixedText() noexcept = default;
   constexpr FixedText(std::string_view text) noexcept { *this << text; }  // NOLINT: a text is a text
   template <std::size_t kLiteral>

@@ -22,8 +22,9 @@ class PendantClient final : public Core1Client {
  public:
   // References must outlive the client.
   PendantClient(const PendantConfig& config, const RobotModel& robot, const Arm& arm, const PlanningConfig& planning,
-                const ArmPosition& position, const ArmOwner& owner, Inbox& inbox, ProgramClient& program) noexcept
-      : parts_{config, robot, arm, planning, position, owner, inbox, program} {}
+                const ArmPosition& position, const ArmOwner& owner, Inbox& inbox, ProgramStore& store,
+                ProgramClient& program) noexcept
+      : parts_{config, robot, arm, planning, position, owner, inbox, store, program} {}
 
   [[nodiscard]] InterruptHandler& line() noexcept { return parts_.line; }
 

@@ -1,8 +1,7 @@
 // What a scenario states about the teach pendant.
 #pragma once
 
-#include "controller/language/gcode/run/motion_setup.hpp"
-#include "controller/language/job/state/machine_setup.hpp"
+#include "controller/base/members.hpp"
 #include "controller/pendant/protocol/admission.hpp"
 
 namespace armature::pendant {
@@ -10,9 +9,7 @@ namespace armature::pendant {
 struct PendantConfig {
   Profile profile = Profile::kStrict;
   bool paper_logic = false;
-  // Of the programs that the pendant sends.
-  job::MachineSettings job{};
-  gcode::MotionSettings gcode{};
+  ARMATURE_MEMBERS(PendantConfig, profile, paper_logic)
 };
 
 }  // namespace armature::pendant

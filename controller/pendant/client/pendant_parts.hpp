@@ -5,6 +5,7 @@
 #include "controller/cell/planning_config.hpp"
 #include "controller/kinematics/arm.hpp"
 #include "controller/language/program/program_client.hpp"
+#include "controller/language/store/program_store.hpp"
 #include "controller/message/command.hpp"
 #include "controller/message/inbox.hpp"
 #include "controller/motion/arm_position.hpp"
@@ -25,18 +26,12 @@ struct PendantParts {
   // References must outlive the parts.
   PendantParts(const PendantConfig& config, const RobotModel& robot, const Arm& kinematics,
                const PlanningConfig& planning, const ArmPosition& arm_position, const ArmOwner& owner, Inbox& inbox,
-               ProgramClient& program) noexcept
+               ProgramStore& store, ProgramClient& program) noexcept
       : profile{config.profile},
         position{arm_position},
         line{config.paper_logic},
         manual{robot, kinematics, planning},
-        programs{{.robot = robot,
-                  .arm = kinematics,
-                  .flange_T_tool = planning.flange_T_tool,
-                  .base_T_user = planning.base_T_user},
-                 config.job,
-                 config.gcode,
-                 program},
+        programs{store, program},
         arm{owner.reported(), program, manual.keys()},
         commands{inbox, arm},
         telemetry{{.profile = profile,

@@ -18,36 +18,60 @@ static_assert(equal(RunMode::kOnce, Mode::kOnce) && equal(RunMode::kSingleSteps,
 }  // namespace
 
 Answer Programs::begin(Content content, std::int32_t size) noexcept {
-  const Answer answer = store_.begin(content, size);
-  use_store(false);
-  return answer;
+  if (!receiver_.begin(size)) return {Status::kStoreFull, static_cast<std::int32_t>(kMaxCharacters)};
+  content_ = content;
+  if (store_.drop_sent_gcode()) client_.clear();  // its text is overwritten
+  return {};
 }
 
 Answer Programs::commit(std::int32_t check, PendantLine& line, RegisterBus& bus) noexcept {
-  const Answer answer = store_.commit(check);
-  for (std::int64_t left = store_.lines_read(); left > 0; left -= kLinesOfSlice) {
-    bus.charge(Work::kProgramStep, std::min(left, kLinesOfSlice));
-    line.poll(bus);
+  const bool good = receiver_.complete() && receiver_.check() == check;
+  const std::string_view text{receiver_.text().data(), receiver_.text().size()};
+  receiver_.cancel();
+  if (!good) return {.status = Status::kCheckFail};
+  Answer answer;
+  if (content_ == Content::kGcode) {
+    store_.load_sent_gcode(text);
+  } else {
+    answer = load_job(text);
+    std::int64_t left = std::count(text.begin(), text.end(), '\n') + 1;
+    for (; left > 0; left -= kLinesOfSlice) {
+      bus.charge(Work::kProgramStep, std::min(left, kLinesOfSlice));
+      line.poll(bus);
+    }
   }
-  if (answer.status != Status::kCheckFail) use_store(true);
+  if (Program* program = store_.program()) {
+    client_.set(*program, std::nullopt);
+  } else {
+    client_.clear();
+  }
   return answer;
 }
 
-// `loaded`: another one than before, or none because of an error.
-void Programs::use_store(bool loaded) noexcept {
-  Program* program = store_.program();
-  if (program == nullptr && (from_store_ || loaded)) client_.clear();
-  if (program != nullptr && loaded) client_.set(*program, std::nullopt);
-  from_store_ = program != nullptr;
+Answer Programs::load_job(std::string_view text) noexcept {
+  switch (store_.load_sent_job(text, content_ == Content::kFurtherJob)) {
+    case ProgramStore::Loaded::kYes:
+      return {.payload = static_cast<std::int32_t>(store_.last_job())};
+    case ProgramStore::Loaded::kFull:
+      return {Status::kStoreFull, static_cast<std::int32_t>(store_.error_line())};
+    case ProgramStore::Loaded::kError:
+      break;
+  }
+  return {Status::kParseError, static_cast<std::int32_t>(store_.error_line())};
+}
+
+Answer Programs::select(std::size_t job) noexcept {
+  if (!store_.select(job)) return {.status = Status::kRange};
+  return {.payload = static_cast<std::int32_t>(job)};
 }
 
 Status Programs::may_run(const Coordinates& selected) const noexcept {
   if (client_.state() == ProgramClient::State::kIdle) return Status::kCheckFail;
-  return store_.has_gcode() && !selected.defined() ? Status::kRange : Status::kOk;
+  return store_.has_sent_gcode() && !selected.defined() ? Status::kRange : Status::kOk;
 }
 
 Answer Programs::run(RunMode mode, std::uint32_t line, std::optional<FrameId> user) noexcept {
-  store_.set_gcode_frame(user);
+  store_.set_sent_gcode_frame(user);
   started_here_ = client_.run(static_cast<Mode>(mode), line);
   return {.status = started_here_ ? Status::kOk : Status::kRange};
 }

@@ -1,39 +1,43 @@
 // What the pendant does with programs: it sends them, runs and holds them, and sets their breakpoints.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 
-#include "controller/cell/robot_cell.hpp"
+#include "controller/cell/frames.hpp"
 #include "controller/hal/register_bus.hpp"
-#include "controller/language/gcode/run/motion_setup.hpp"
-#include "controller/language/job/state/machine_setup.hpp"
 #include "controller/language/program/program_client.hpp"
+#include "controller/language/store/program_store.hpp"
 #include "controller/pendant/parts/coordinates.hpp"
 #include "controller/pendant/parts/pendant_line.hpp"
-#include "controller/pendant/parts/program_store.hpp"
 #include "controller/pendant/protocol/answer.hpp"
+#include "controller/pendant/protocol/bulk_receiver.hpp"
 #include "controller/pendant/protocol/frame.hpp"
 
 namespace armature::pendant {
 
 class Programs {
  public:
-  // What the arguments refer to must outlive the object.
-  Programs(const RobotCell& cell, const job::MachineSettings& jobs, const gcode::MotionSettings& gcode,
-           ProgramClient& client) noexcept
-      : client_{client}, store_{cell, jobs, gcode} {}
+  static constexpr std::size_t kMaxCharacters = std::size_t{256} * 1024;
+
+  // References must outlive the object.
+  Programs(ProgramStore& store, ProgramClient& client) noexcept : store_{store}, client_{client} {}
+  Programs(const Programs&) = delete;
+  Programs& operator=(const Programs&) = delete;
 
   [[nodiscard]] const ProgramClient& client() const noexcept { return client_; }
 
   // The transfer of a text.
   [[nodiscard]] Answer begin(Content content, std::int32_t size) noexcept;
-  [[nodiscard]] std::optional<Frame> push(const BulkFrame& frame) noexcept { return store_.push(frame); }
-  void cancel() noexcept { store_.cancel(); }
-  // Loads what has come. The line is polled meanwhile.
+  [[nodiscard]] std::optional<Frame> push(const BulkFrame& frame) noexcept { return receiver_.push(frame); }
+  void cancel() noexcept { receiver_.cancel(); }
+  // Loads what has come; after an error there is no program. The line is polled meanwhile.
   [[nodiscard]] Answer commit(std::int32_t check, PendantLine& line, RegisterBus& bus) noexcept;
-  [[nodiscard]] Answer select(std::size_t job) noexcept { return store_.select(job); }
+  // The job that the program begins with.
+  [[nodiscard]] Answer select(std::size_t job) noexcept;
 
   // kOk, or why there is nothing to run in the coordinates that the operator has selected.
   [[nodiscard]] Status may_run(const Coordinates& selected) const noexcept;
@@ -53,12 +57,14 @@ class Programs {
   [[nodiscard]] static constexpr Answer accepted(bool order) noexcept {
     return {.status = order ? Status::kOk : Status::kBusy};
   }
-  void use_store(bool loaded) noexcept;
+  [[nodiscard]] Answer load_job(std::string_view text) noexcept;
 
+  ProgramStore& store_;
   ProgramClient& client_;
-  ProgramStore store_;
+  std::array<char, kMaxCharacters> characters_{};
+  BulkReceiver receiver_{characters_};
+  Content content_ = Content::kJob;
   bool started_here_ = false;  // the pendant has run the program
-  bool from_store_ = false;    // the program is that of the store
 };
 
 }  // namespace armature::pendant

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "controller/base/members.hpp"
+#include "controller/base/misfit.hpp"
 
 namespace armature {
 
@@ -37,7 +38,7 @@ struct PathOutputs {
   static constexpr std::size_t kMax = 4;
   std::array<PathOutput, kMax> list{};
   std::uint8_t count = 0;
-  [[nodiscard]] bool fits() const noexcept { return count <= kMax; }
+  [[nodiscard]] constexpr const void* misfit() const noexcept { return first_misfit({{&count, count <= kMax}}); }
   ARMATURE_MEMBERS(PathOutputs, list, count)
 };
 

@@ -9,6 +9,7 @@
 #include <span>
 
 #include "controller/base/members.hpp"
+#include "controller/base/misfit.hpp"
 #include "controller/base/tag.hpp"
 #include "controller/kinematics/configuration.hpp"
 #include "controller/kinematics/transform.hpp"
@@ -54,7 +55,7 @@ inline constexpr double kMaxRevolutions = 100.0;
 struct ThroughPoints {
   static constexpr std::size_t kMax = Spline::kMaxPoints - 2;
   ThroughPoints() noexcept { mm.fill(Eigen::Vector3d::Zero()); }
-  [[nodiscard]] bool fits() const noexcept { return count <= kMax; }
+  [[nodiscard]] constexpr const void* misfit() const noexcept { return first_misfit({{&count, count <= kMax}}); }
   [[nodiscard]] std::span<const Eigen::Vector3d> view() const noexcept { return {mm.data(), count}; }
   std::array<Eigen::Vector3d, kMax> mm;
   std::uint8_t count = 0;  // 1..kMax for a spline

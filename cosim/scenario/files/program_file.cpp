@@ -24,7 +24,9 @@ constexpr std::size_t kMaxProgramBytes = std::size_t{64} << 20U;
 // Reads a file in the folder of the scenario. `name` is relative to that folder.
 void read_program(Scenario& scenario, const std::string& name) {
   const fs::path file = (fs::path{scenario.file}.parent_path() / name).lexically_normal();
-  std::string text = read_text_file(file, kMaxProgramBytes);
+  std::size_t left = kMaxProgramBytes;
+  for (const ProgramFile& before : scenario.program_files) left -= before.text.size();
+  std::string text = read_text_file(file, left);
   scenario.sources.push_back(input_file(file, text));
   scenario.program_files.push_back({.name = name, .file = file.string(), .text = std::move(text)});
 }

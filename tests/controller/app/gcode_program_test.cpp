@@ -24,14 +24,12 @@ using Notes = std::vector<Note>;
 
 struct GcodeProgram : testing::Test {
   void start(const std::string& program) {
-    text = program;
-    runner = std::make_unique<gcode::ProgramRunner>(cell.setup);
-    runner->load({.text = text});
-    ControllerConfig config{.flange_T_tool = cell.setup.cell.flange_T_tool,
-                            .base_T_user = cell.setup.cell.base_T_user,
-                            .program = runner.get(),
-                            .program_start = Ticks{2 * kBegin}};
-    rig = std::make_unique<test::ControllerRig>(cell.robot, config);
+    const ControllerConfig config{.flange_T_tool = cell.setup.cell.flange_T_tool,
+                                  .base_T_user = cell.setup.cell.base_T_user,
+                                  .gcode = cell.setup.settings,
+                                  .program_start = Ticks{2 * kBegin}};
+    const host_memory::BootProgram files{ProgramLanguage::kGcode, {{.name = "a.ngc", .text = program}}};
+    rig = std::make_unique<test::ControllerRig>(cell.robot, config, files);
     PerAxis<double> deg{};
     for (std::size_t i = 0; i < kAxes; ++i) deg[i] = cell.joints[i].value() / kDeg;
     rig->move_at(kBegin, deg);
@@ -50,8 +48,6 @@ struct GcodeProgram : testing::Test {
   }
 
   test::Cell cell;
-  std::string text;
-  std::unique_ptr<gcode::ProgramRunner> runner;
   std::unique_ptr<test::ControllerRig> rig;
 };
 

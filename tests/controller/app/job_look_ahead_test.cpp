@@ -53,7 +53,7 @@ TEST_F(JobLookAhead, LeavesAPathWithoutAStopForAPostureThatIsNotStated) {
   execute("MOVJ C4 VJ=50.00\nMOVL C1 V=200.0\nMOVL C2 V=200.0 PL=2\nMOVJ C0 VJ=50.00\n");
   EXPECT_EQ(state(), State::kEnded);
   EXPECT_EQ(blended(), 1);
-  const Transform tool = arm.forward(rig->last().reference) * setup.cell.flange_T_tool;
+  const Transform tool = arm.forward(rig->last().reference) * flange_T_tool;
   EXPECT_LT((tool.position_mm - Eigen::Vector3d{300, 0, 340}).norm(), 1e-6);
 }
 

@@ -32,12 +32,10 @@ struct JobRig : testing::Test {
   using State = ProgramClient::State;
 
   void start(const std::vector<std::string>& texts, std::optional<Ticks> begin = Ticks{0}) {
-    for (const std::string& text : texts) ASSERT_TRUE(jobs.load(text)) << jobs.said.errors.front();
-    ASSERT_TRUE(jobs.loader->link());
-    machine = std::make_unique<job::Machine>(*jobs.memory, setup);
+    host_memory::BootProgram program{.language = ProgramLanguage::kJob};
+    for (const std::string& text : texts) program.files.push_back({.name = "a.jbi", .text = text});
     rig = std::make_unique<ControllerRig>(
-        robot,
-        ControllerConfig{.flange_T_tool = setup.cell.flange_T_tool, .program = machine.get(), .program_start = begin});
+        robot, ControllerConfig{.flange_T_tool = flange_T_tool, .program_start = begin}, program);
   }
   void start(const std::string& text, std::optional<Ticks> begin = Ticks{0}) { start(std::vector{text}, begin); }
 
@@ -67,9 +65,7 @@ struct JobRig : testing::Test {
 
   RobotModel robot = irb120();
   Arm arm{robot};
-  job::MachineSetup setup{.cell = {.robot = robot, .arm = arm, .flange_T_tool = {.position_mm = {0, 0, 100}}}};
-  Jobs jobs;
-  std::unique_ptr<job::Machine> machine;
+  Transform flange_T_tool{.position_mm = {0, 0, 100}};
   std::unique_ptr<ControllerRig> rig;
   std::vector<bool> levels;
 };

@@ -92,12 +92,6 @@ std::vector<NamedField> fields_of() {
   return fields;
 }
 
-std::size_t bytes_in(const Field& field) {
-  const std::string_view type = field.type;
-  const std::size_t size = type == "f64" || type == "i64" ? 8 : type == "u32" ? 4 : type == "u16" ? 2 : 1;
-  return size * field.count;
-}
-
 template <class Variant, class... Messages>
 void expect_round_trips(std::type_identity<std::variant<Messages...>>) {
   const auto round_trip = []<class Message>(std::type_identity<Message>) {
@@ -118,9 +112,9 @@ void expect_round_trips(std::type_identity<std::variant<Messages...>>) {
     std::size_t end = 0;
     for (const auto& [field, name] : fields_of<Message>()) {
       EXPECT_GE(field.offset, end) << name;
-      end = field.offset + bytes_in(field);
+      end = field.offset + field.bytes;
       const std::uint8_t* first = written.data() + field.offset;
-      EXPECT_TRUE(std::any_of(first, first + bytes_in(field), [](std::uint8_t byte) { return byte != 0; })) << name;
+      EXPECT_TRUE(std::any_of(first, first + field.bytes, [](std::uint8_t byte) { return byte != 0; })) << name;
     }
     EXPECT_LE(end, kWireSize<Message>);
   };
@@ -287,11 +281,20 @@ TEST_F(HostMemoryTest, CommandsStayInTheirRingWhileTheInboxIsFull) {
 
 // ---- LAYOUT.md
 
+// Of a long list the first two elements are enough.
+bool is_shown(const std::string& member) {
+  for (std::size_t at = member.find('['); at != std::string::npos; at = member.find('[', at + 1)) {
+    if (std::stoi(member.substr(at + 1)) > 1) return false;
+  }
+  return true;
+}
+
 template <class T>
 void describe_type(std::ostream& out, std::string_view name, const std::string& about) {
   out << "\n## " << name << ", " << kWireSize<T> << " bytes" << about << "\n\n"
       << "| offset | type | member | values |\n|---:|---|---|---|\n";
   for (const auto& [field, member] : fields_of<T>()) {
+    if (!is_shown(member)) continue;
     out << "| " << field.offset << " | " << field.type;
     if (field.count > 1) out << " x " << field.count;
     out << " | `" << member << "` |";
@@ -311,11 +314,15 @@ std::string layout() {
   out << "# Layout of the host memory\n\n"
       << "Written by `tests/controller/host_memory/host_memory_test.cpp`: `ARMATURE_WRITE_LAYOUT=FILE` writes a new "
          "one.\n\n"
-      << "Numbers are little-endian: `u8` to `u32` unsigned, `i8` and `i64` signed, `f64` IEEE 754 binary64; a `flag`\n"
-      << "is 0 or 1. Matrices are written row by row. A ring is `u32 written, read, lost, reserved` and its slots;\n"
-      << "number n is in slot n modulo their count. A slot is `u32 kind, reserved` and the bytes of the message, "
-         "padded\n"
-      << "with 0. The headers of the messages say what the members mean.\n\n"
+      << "Numbers are little-endian: `u8` to `u64` unsigned, `i8` to `i64` signed, `f64` IEEE 754 binary64; a `flag` "
+         "is\n"
+      << "0 or 1. Matrices are written row by row. Of a list of structs the first two are shown; the others follow at "
+         "the\n"
+      << "same distance. A ring is `u32 written, read, lost, reserved` and its slots; number n is in slot n modulo "
+         "their\n"
+      << "count. A slot is `u32 kind, reserved` and the bytes of the message, padded with 0. The headers of the "
+         "messages\n"
+      << "say what the members mean.\n\n"
       << "## HostMemory, " << sizeof(HostMemory) << " bytes\n\n| offset | bytes | member |\n|---:|---:|---|\n";
   const auto memory = std::make_unique<HostMemory>();
   for_each_member(*memory, [&](const char* name, const auto& member) {
@@ -325,10 +332,19 @@ std::string layout() {
   out << "\n`commands`: " << kHostSources << " rings of " << CommandRing::kCapacity << " slots with "
       << CommandSlot::kSize << " bytes. `core0_events`, `core1_events`: " << Core0Events::kCapacity << " and "
       << Core1Events::kCapacity << " slots\nwith " << EventSlot::kSize << " bytes. `telemetry`: `u32 published, "
-      << "reserved`, then Telemetry. `layout`: 0x" << std::hex << kLayout << std::dec << ".\n";
+      << "reserved`, then Telemetry. `boot`: `u32 problem, place`, then the text.\n"
+      << "`robot`, `config`, `program`: the last three tables. `layout`: 0x" << std::hex << layout_of_memory()
+      << std::dec << ".\n`problem`:";
+  for (std::size_t i = 0; i < kWordsOf<BootProblem>.size(); ++i) {
+    out << (i == 0 ? " " : ", ") << i << ' ' << kWordsOf<BootProblem>[i];
+  }
+  out << ".\n";
   describe_kinds(out, std::type_identity<Command>{});
   describe_kinds(out, std::type_identity<Event>{});
   describe_type<Telemetry>(out, "Telemetry", "");
+  describe_type<RobotModel>(out, "RobotModel", ", block robot");
+  describe_type<ControllerConfig>(out, "ControllerConfig", ", block config");
+  describe_type<ProgramFiles>(out, "ProgramFiles", ", block program");
   return out.str();
 }
 

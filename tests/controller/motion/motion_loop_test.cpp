@@ -154,10 +154,10 @@ TEST(MotionLoop, ReachesButNeverExceeds200PulsesATick) {
 }
 
 TEST(MotionLoop, TheEncoderPositionSurvivesTheWrapOfItsRegister) {
-  ControllerRig rig;
+  RobotModel robot = test::paper_robot();
+  for (AxisModel& axis : robot.axes) axis.max_rad = 1e9;  // 2^31 counts are 1.5e6 degrees
+  ControllerRig rig{robot};
   for (auto& drive : rig.logic.drives) drive.position = drive.reference = 0x7FFF'FFFF - 20'000.0;
-  // 2^31 counts are 1.5e6 degrees.
-  for (AxisModel& axis : rig.robot.axes) axis.max_rad = 1e9;
   const double start_deg = (0x7FFF'FFFF - 20'000.0) * 7.2e-4;
   rig.move_at(10, {start_deg + 40, start_deg, start_deg, start_deg, start_deg, start_deg});
   rig.run(20'000);

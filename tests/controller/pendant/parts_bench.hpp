@@ -66,8 +66,10 @@ class PartsBench final : private EventListener {
   ArmPosition position;
   WaitingProgram waiting;
   ProgramClient program{inboxes_, owner_, tool_, *this};
+  const std::unique_ptr<ProgramStore> store = std::make_unique<ProgramStore>(
+      RobotCell{.robot = robot_, .arm = arm_}, job::MachineSettings{}, gcode::MotionSettings{});
   const std::unique_ptr<PendantParts> owned = std::make_unique<PendantParts>(
-      config_, robot_, arm_, planning_, position, owner_, inbox_of(inboxes_, Source::kPendant), program);
+      config_, robot_, arm_, planning_, position, owner_, inbox_of(inboxes_, Source::kPendant), *store, program);
   PendantParts& parts = *owned;
 };
 

@@ -17,6 +17,8 @@
 
 #include "controller/app/controller.hpp"
 #include "controller/base/overloaded.hpp"
+#include "controller/host_memory/boot_memory.hpp"
+#include "controller/host_memory/controller_config.hpp"
 #include "controller/host_memory/host_side.hpp"
 #include "controller/message/event.hpp"
 #include "tests/controller/support/fake_logic.hpp"
@@ -24,10 +26,25 @@
 
 namespace armature::test {
 
+// The mains of a controller that was constructed on a memory.
+struct ControllerMains {
+  std::function<void(RegisterBus&)> core0, core1;
+};
+
 class ControllerRig final {
  public:
-  explicit ControllerRig(const RobotModel& model = paper_robot(), const ControllerConfig& config = {})
-      : robot{model}, controller_{std::make_unique<Controller>(robot, config, *memory_)}, core1_{*this} {
+  explicit ControllerRig(const RobotModel& model = paper_robot(), const ControllerConfig& config = {},
+                         const host_memory::BootProgram& program = {})
+      : ControllerRig{model, config, program, {}} {
+    controller_ = std::make_unique<Controller>(memory_.memory());
+    mains_ = {.core0 = [this](RegisterBus& bus) { controller_->core0_main(bus); },
+              .core1 = [this](RegisterBus& bus) { controller_->core1_main(bus); }};
+  }
+  // `start` constructs another controller than the linked one.
+  ControllerRig(const RobotModel& model, const ControllerConfig& config, const host_memory::BootProgram& program,
+                const std::function<ControllerMains(host_memory::HostMemory&)>& start)
+      : robot{model}, memory_{model, config, program} {
+    if (start) mains_ = start(memory_.memory());
     logic.fit_drives(robot);
     logic.on_event = [this] { core1_.event = true; };
     logic.on_wait = [this] { read_host_memory(); };
@@ -55,12 +72,14 @@ class ControllerRig final {
     submit_at(trigger, JointMove{.target = degrees(target_deg), .speed = speed});
   }
 
+  [[nodiscard]] const host_memory::HostMemory& memory() { return memory_.memory(); }
+
   // Once per rig: runs both cores for so many triggers.
   void run(std::int64_t triggers) {
     logic.triggers_to_run = triggers;
     rows.reserve(static_cast<std::size_t>(triggers));
     core1_.event = true;
-    controller_->core0_main(logic);
+    mains_.core0(logic);
     read_host_memory();
     if (!core1_.served) serve_core1(true);
   }
@@ -111,7 +130,7 @@ class ControllerRig final {
   // Asked at each trigger; while core 1 is not awake its events wait.
   std::function<bool()> core1_awake = [] { return true; };
 
-  RobotModel robot;
+  const RobotModel robot;  // as the controller has it
   FakeLogic logic;
   std::int64_t core1_reads = 0, core1_writes = 0;
   std::vector<Telemetry> rows;
@@ -145,7 +164,7 @@ class ControllerRig final {
     void serve(bool by_event) {
       served = pending_ = true;
       by_event_ = by_event;
-      rig_.controller_->core1_main(*this);
+      rig_.mains_.core1(*this);
     }
     std::uint32_t read32(RegAddr addr) noexcept override {
       ++rig_.core1_reads;
@@ -209,11 +228,12 @@ class ControllerRig final {
     EXPECT_EQ(host_.lost_events(), 0u);
   }
 
-  std::unique_ptr<host_memory::HostMemory> memory_ = std::make_unique<host_memory::HostMemory>();
-  host_memory::HostSide host_{*memory_};
+  host_memory::BootMemory memory_;
+  host_memory::HostSide host_{memory_.memory()};
   std::multimap<std::int64_t, std::function<void()>> script_;
-  std::unique_ptr<Controller> controller_;
-  Core1 core1_;
+  std::unique_ptr<Controller> controller_;  // none if it is another one than the linked one
+  ControllerMains mains_;
+  Core1 core1_{*this};
 };
 
 }  // namespace armature::test

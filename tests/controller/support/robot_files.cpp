@@ -2,6 +2,7 @@
 
 #include <toml++/toml.h>
 
+#include <cstdint>
 #include <stdexcept>
 
 #include "tests/controller/support/robots.hpp"
@@ -24,7 +25,7 @@ RobotModel robot_of_file(const std::string& name) {
   const toml::array& axes = *file["axis"].as_array();
 
   RobotModel robot;
-  robot.axis_count = axes.size();
+  robot.axis_count = static_cast<std::uint32_t>(axes.size());
   const bool six = arm["family"].value_or("") == std::string{"six_r"};
   robot.arm.family = six ? ArmFamily::kSixR : ArmFamily::kFiveR;
   robot.arm.a1_mm = number(arm, "a1_mm");

@@ -27,10 +27,6 @@ class FaultyProcessor final : public Processor {
   void set_tick_compute(Cycles cost) override { tick_compute.push_back(cost); }
   void write_astray(std::uint32_t addr, std::uint32_t data) override { stray_writes.emplace_back(addr, data); }
 
-  host_memory::HostMemory& memory() override {
-    ADD_FAILURE();
-    return memory_;
-  }
   void notify(Cycles) override { ADD_FAILURE(); }
   std::optional<Cycles> next_event() const override { return std::nullopt; }
   void advance(Cycles) override { ADD_FAILURE(); }
@@ -42,9 +38,6 @@ class FaultyProcessor final : public Processor {
   void reset_worst_tick() override { ADD_FAILURE(); }
   Cycles awake(int, Cycles) const override { return {}; }
   CoreState core_state(int) const override { return {}; }
-
- private:
-  host_memory::HostMemory memory_;
 };
 
 struct Bench {

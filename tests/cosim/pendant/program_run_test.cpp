@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "controller/pendant/parts/program_store.hpp"
+#include "controller/pendant/parts/programs.hpp"
 #include "cosim/kernel/scenario_soc.hpp"
 #include "cosim/kernel/simulation.hpp"
 #include "cosim/scenario/files/scenario_loader.hpp"
@@ -122,7 +122,7 @@ TEST_F(PendantProgram, ASelectedJobAndLineBeginTheProgram) {
 
 TEST_F(PendantProgram, WhatIsWrongWithAProgramIsReplied) {
   peer.at(70, Opcode::kRun);
-  peer.at(80, Opcode::kProgramBegin, 0, static_cast<std::int32_t>(pendant::ProgramStore::kMaxCharacters) + 1);
+  peer.at(80, Opcode::kProgramBegin, 0, static_cast<std::int32_t>(pendant::Programs::kMaxCharacters) + 1);
   peer.at(90, Opcode::kProgramBegin, 0, 12);
   peer.at(100, Opcode::kProgramCommit);
   send(120, Content::kJob, job("MOVJ C00001\nMOVE C00001\n"));

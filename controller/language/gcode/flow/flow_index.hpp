@@ -18,7 +18,7 @@ namespace armature::gcode {
 struct ProgramText {
   std::string_view text{};
   // Where each file ends in `text`; the first one is the main program. Empty: there is only that.
-  std::span<const std::size_t> ends{};
+  std::span<const std::uint32_t> ends{};
 
   // Whether a file ends at `at`, which is the start of a line or the end of the text.
   [[nodiscard]] bool file_ends(std::size_t at) const noexcept;

@@ -24,7 +24,7 @@ enum class MotionProblem : std::uint8_t { kNoSuchOutput, kNoSuchAnalogOutput, kD
 class MotionCommands {
  public:
   static constexpr std::size_t kMaxCommands = 20;  // of one call: all pins, an arc and a line
-  static constexpr int kPins = 16;
+  static constexpr int kPins = kToolPins;
 
   explicit MotionCommands(const MotionSetup& setup) noexcept : setup_(setup) {}
 

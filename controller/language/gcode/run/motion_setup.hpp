@@ -5,17 +5,28 @@
 #include <cstdint>
 #include <numbers>
 
+#include "controller/base/members.hpp"
+#include "controller/base/misfit.hpp"
 #include "controller/cell/robot_cell.hpp"
 #include "controller/language/gcode/canon/offsets.hpp"
 #include "controller/message/command.hpp"
 
 namespace armature::gcode {
 
+inline constexpr std::uint8_t kToolPins = 16;
+
 // An analog output of a program is a binary number on successive pins of the tool.
 struct AnalogPins {
   std::uint8_t first_pin = 0;  // 1..16, the lowest bit; 0: the output does not exist
   std::uint8_t bits = 0;
   double full = 1.0;  // the value at which all bits are on
+
+  [[nodiscard]] constexpr const void* misfit() const noexcept {
+    return first_misfit({{&first_pin, first_pin <= kToolPins},
+                         {&bits, first_pin == 0 || (bits >= 1 && first_pin + bits - 1 <= kToolPins)},
+                         {&full, is_positive(full)}});
+  }
+  ARMATURE_MEMBERS(AnalogPins, first_pin, bits, full)
 };
 
 // The settings of a user: [gcode] of a scenario.
@@ -41,6 +52,20 @@ struct MotionSettings {
   std::uint8_t flood_pin = 0;
 
   ToolNumbers tools{};  // those that T may select
+
+  [[nodiscard]] constexpr const void* misfit() const noexcept {
+    return first_misfit({{&frame, frame.index <= kUserFrames},
+                         {&rapid_mm_s, is_positive(rapid_mm_s)},
+                         {&rapid_turn_rad_s, is_positive(rapid_turn_rad_s)},
+                         {&accel_mm_s2, is_positive(accel_mm_s2)},
+                         {&turn_accel_rad_s2, is_positive(turn_accel_rad_s2)},
+                         {&corner_mm, is_at_least_0(corner_mm)},
+                         {&spindle_pin, spindle_pin <= kToolPins},
+                         {&mist_pin, mist_pin <= kToolPins},
+                         {&flood_pin, flood_pin <= kToolPins}});
+  }
+  ARMATURE_MEMBERS(MotionSettings, frame, orientation, rapid_mm_s, rapid_turn_rad_s, accel_mm_s2, turn_accel_rad_s2,
+                   corner_mm, analog, spindle_pin, mist_pin, flood_pin, tools)
 };
 
 struct MotionSetup {

@@ -1,14 +1,18 @@
 // What the machine knows of the robot, the cell and the settings of a user.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 
+#include "controller/base/members.hpp"
+#include "controller/base/misfit.hpp"
 #include "controller/cell/robot_cell.hpp"
 #include "controller/kinematics/transform.hpp"
 #include "controller/language/job/memory/switches.hpp"
+#include "controller/language/job/state/pin_levels.hpp"
 
 namespace armature::job {
 
@@ -32,6 +36,19 @@ struct MachineSettings {
   }
   // Tools besides that of the arm, by number.
   std::array<std::optional<Transform>, kToolNumbers> flange_T_tool{};
+
+  [[nodiscard]] constexpr const void* misfit() const noexcept {
+    const auto is_pin = [](std::uint8_t pin) { return pin <= PinLevels::kPins; };
+    return first_misfit({{&pl_radius_mm, std::all_of(pl_radius_mm.begin(), pl_radius_mm.end(), is_at_least_0)},
+                         {&joint_speed, is_positive(joint_speed) && joint_speed <= 1.0},
+                         {&speed_mm_s, is_positive(speed_mm_s)},
+                         {&turn_speed_rad_s, is_positive(turn_speed_rad_s)},
+                         {&accel_mm_s2, is_positive(accel_mm_s2)},
+                         {&turn_accel_rad_s2, is_positive(turn_accel_rad_s2)},
+                         {&device_pin, std::all_of(device_pin.begin(), device_pin.end(), is_pin)}});
+  }
+  ARMATURE_MEMBERS(MachineSettings, pl_radius_mm, joint_speed, speed_mm_s, turn_speed_rad_s, accel_mm_s2,
+                   turn_accel_rad_s2, device_pin, flange_T_tool)
 };
 
 struct MachineSetup {

@@ -71,7 +71,7 @@ TEST_F(GcodeRunner, SaysThatAProgramEndsWithoutACode) {
 
 TEST_F(GcodeRunner, ExecutesTheFilesOfSubroutines) {
   const std::string text = "G1 F600 X0 Y0 Z60\nM98 P7\nM2\nO7\nX5\nM99\n";
-  const std::array<std::size_t, 2> ends{text.find("O7"), text.size()};
+  const std::array ends{static_cast<std::uint32_t>(text.find("O7")), static_cast<std::uint32_t>(text.size())};
   runner = std::make_unique<gcode::ProgramRunner>(cell.setup);
   runner->load({.text = text, .ends = ends});
   runner->start();

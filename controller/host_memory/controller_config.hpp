@@ -1,14 +1,17 @@
-// What the host decides about the controller before it starts, besides the robot.
+// What the host decides about the controller before it starts, besides the robot and the program.
 #pragma once
 
 #include <optional>
 
+#include "controller/base/members.hpp"
+#include "controller/base/misfit.hpp"
 #include "controller/base/timebase.hpp"
 #include "controller/cell/conveyor_config.hpp"
 #include "controller/cell/frames.hpp"
 #include "controller/cell/planning_config.hpp"
 #include "controller/kinematics/transform.hpp"
-#include "controller/language/program/program.hpp"
+#include "controller/language/gcode/run/motion_setup.hpp"
+#include "controller/language/job/state/machine_setup.hpp"
 #include "controller/motion/paper_logic_port.hpp"
 #include "controller/pendant/client/pendant_config.hpp"
 #include "controller/trajectory/profile/synchronise.hpp"
@@ -25,11 +28,23 @@ struct ControllerConfig {
   // Set: a teach pendant is on the serial line, and the drives are off until it switches them on.
   std::optional<pendant::PendantConfig> pendant{};
   std::optional<ConveyorConfig> conveyor{};  // for arms with six joints; its counts come from the host
-  Program* program = nullptr;                // a loaded program that core 1 executes; it must outlive the controller
-  // When the program begins, at the earliest. None: when the pendant runs it.
+  // Of the program of the start and of those that the pendant sends.
+  job::MachineSettings job{};
+  gcode::MotionSettings gcode{};
+  // When the program of the start begins, at the earliest. None: when the pendant runs it.
   std::optional<Ticks> program_start{Ticks{}};
   std::optional<Ticks> program_resumes_after{};  // time after which a pause of the program ends; none: an order ends it
   bool referenced = true;  // the joint angles are 0 at the start; false: they are not known before Home
+
+  [[nodiscard]] const void* misfit() const noexcept {
+    constexpr Ticks kStart{};
+    return first_misfit({{&max_stretch, max_stretch >= 1.0 && is_finite(max_stretch)},
+                         {&gcode, is_known(gcode.frame, base_T_user)},
+                         {&program_start, program_start.value_or(kStart) >= kStart},
+                         {&program_resumes_after, program_resumes_after.value_or(kStart) >= kStart}});
+  }
+  ARMATURE_MEMBERS(ControllerConfig, sync, feedback, paper, flange_T_tool, base_T_user, max_stretch, pendant, conveyor,
+                   job, gcode, program_start, program_resumes_after, referenced)
 };
 
 }  // namespace armature
