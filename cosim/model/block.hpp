@@ -8,8 +8,8 @@
 //     order. An edge may be left out when it has no access, its inputs are those of the latest computed edge, and it is
 //     earlier than wakes_at(). An edge that is computed although it could be left out changes nothing.
 //   Cycles wakes_at() const;
-//     The next edge that must be computed though nothing changes from outside; kNever if there is none. So a block
-//     stores times of coming events instead of counters that run.
+//     The next edge that must be computed though nothing changes from outside, later than the latest computed edge;
+//     kNever if there is none. So a block stores times of coming events instead of counters that run.
 //   outputs: levels after the latest computed edge. They do not change at edges that are left out.
 //
 // Edge 1 is the first one after reset: kTimeZero is the state in reset.

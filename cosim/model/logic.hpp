@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <stdexcept>
 #include <utility>
 
 #include "controller/regs/soc_map.hpp"
@@ -38,8 +39,11 @@ class Logic {
                      variant_.wakes_at(now_, in_, decoder_inputs())});
   }
 
-  // Edges up to `until` that need not be computed.
-  void pass(Cycles until) { now_ = until; }
+  // Edges up to `until` that need not be computed. Throws std::logic_error when time would go back.
+  void pass(Cycles until) {
+    if (until < now_) throw std::logic_error{"model: a block asks for an edge in the past"};
+    now_ = until;
+  }
 
   // The next edge. Returns whether an output has changed.
   bool edge(const Accesses& access, Answers& answers) {

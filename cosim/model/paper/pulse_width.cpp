@@ -64,8 +64,14 @@ void PulseWidth::find_wake(Cycles at, const PulseInputs& in) {
     axes_wake_at_ = std::min(axes_wake_at_, axis.wakes_at());
     running = running || axis.is_running();
   }
-  const bool due = in.trigger || written_ != 0 || stop_order_ || clear_order_ || !pins_.are_settled(arm_pins(in)) ||
-                   (stop_.stops(control) && (running || armed_ != 0)) || servo_pins_ != (stop_.estop() ? 0 : servo_on_);
+  const bool stops = stop_.stops(control);
+  const bool free_due = in.trigger || !pins_.are_settled(arm_pins(in)) || (stops && running);
+  if (gated_clock_stopped_) {
+    wakes_at_ = free_due ? at + Cycles{1} : axes_wake_at_;
+    return;
+  }
+  const bool due = free_due || written_ != 0 || stop_order_ || clear_order_ || (stops && armed_ != 0) ||
+                   servo_pins_ != (stop_.estop() ? 0 : servo_on_);
   wakes_at_ = due ? at + Cycles{1} : std::min(axes_wake_at_, stop_.wakes_at(at, control));
 }
 

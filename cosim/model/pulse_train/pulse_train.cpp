@@ -109,9 +109,15 @@ void PulseTrain::find_wake(Cycles at, const PulseInputs& in) {
     axes_wake_at_ = std::min(axes_wake_at_, axis.wakes_at(times_));
     running = running || axis.is_running();
   }
+  axes_wake_at_ = std::max(axes_wake_at_, at + Cycles{1});  // a hold time that was made shorter may be over already
+  const bool free_due = in.trigger || !pins_.are_settled(arm_pins(in)) || (stops && running);
+  if (gated_clock_stopped_) {
+    wakes_at_ = free_due ? at + Cycles{1} : axes_wake_at_;
+    return;
+  }
   const bool locked_out = stop_.estop() || stop_.watchdog();
-  const bool due = in.trigger || orders_.any() || clipped_ || residual_ || !pins_.are_settled(arm_pins(in)) ||
-                   (stops && (running || bank_.pending)) || servo_pins_ != (locked_out ? 0 : servo_on_);
+  const bool due = free_due || orders_.any() || clipped_ || residual_ || (stops && bank_.pending) ||
+                   servo_pins_ != (locked_out ? 0 : servo_on_);
   wakes_at_ = due ? at + Cycles{1} : std::min(axes_wake_at_, stop_.wakes_at(at, control));
 }
 

@@ -69,6 +69,7 @@ class BlockLockstep : public VerilatedTest<Dut> {
       step();
       const std::string what = compare();
       ASSERT_EQ(what, "") << "seed " << kSeed << ", edge " << this->cycle_;
+      ASSERT_GT(needed_.block.wakes_at().value(), this->cycle_) << "seed " << kSeed;
       if (this->HasFailure()) return;
     }
   }
