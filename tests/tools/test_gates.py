@@ -181,6 +181,15 @@ class Runs(unittest.TestCase):
         self.assertEqual((result.failed, passes), (1, []))
         self.assertIn("rtl.a: is described as a recorded gate, but has no test", result.log)
 
+    def test_a_unit_test_that_did_not_run_with_sanitizers_is_named(self):
+        result = ctest.Result(2, 0, "", "", set(), {"a_test", "b_test"})
+        with (
+            mock.patch.object(ctest, "run", lambda *_, **__: result),
+            mock.patch.object(gates, "unit_tests", lambda: ["a_test", "c_test"]),
+        ):
+            self.assertEqual(gates.sanitizer_tests().failed, 1)
+        self.assertIn("c_test: did not run with sanitizers", result.log)
+
 
 class SameBytes(unittest.TestCase):
     def test_a_program_that_is_killed_has_a_message(self):

@@ -23,6 +23,7 @@ class Program(unittest.TestCase):
 
     path = ""  # of the program
     longest_s = 240  # of host time: a program that has not ended by then fails its test
+    engine = "model"  # of runs that name none and have no waveform: the bytes of the RTL in a third of the time
 
     @classmethod
     def setUpClass(cls):
@@ -37,7 +38,7 @@ class Program(unittest.TestCase):
     def armature(self, *arguments, code=0, folder=".", program=None, **environment):
         """Runs in `folder` of the test's own folder; `program` instead of the one that is tested."""
         done = subprocess.run(
-            [program or self.path, *map(str, arguments)],
+            [program or self.path, *map(str, self.with_engine(arguments))],
             cwd=self.folder / folder,
             text=True,
             capture_output=True,
@@ -46,6 +47,12 @@ class Program(unittest.TestCase):
         )
         self.assertEqual(done.returncode, code, f"{arguments}\n{done.stdout}\n{done.stderr}")
         return done
+
+    def with_engine(self, arguments):
+        """The arguments of a run with the engine of the class, unless they choose one or ask for a waveform."""
+        names = [str(argument) for argument in arguments]
+        chosen = any(name.startswith(("--engine", "--vcd", "--fst", "--help")) for name in names)
+        return arguments if chosen or names[:1] != ["run"] else (*arguments, "--engine", self.engine)
 
     def once(self, name, make):
         """What `make` gives when the first test of the class asks for it. The tests share it and do not change it."""

@@ -56,6 +56,7 @@ TEST(SimulationJitter, ShippedScenariosEndAsTheyDoWithoutIt) {
     Scenario scenario = load_scenario(kScenarios / name, {.search_path = kScenarios, .overrides = {}});
     scenario.duration_s = std::min(scenario.duration_s, kLongest_s);
     scenario.seed = seed++;
+    scenario.engine = Engine::kModel;
     const Ending exact = ending(scenario);
     scenario.input_jitter = true;
     const Ending jittery = ending(scenario);

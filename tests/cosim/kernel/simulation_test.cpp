@@ -120,6 +120,7 @@ TEST(Simulation, InputJitterChangesNoPulseWithoutFeedbackAndNoFinalPosition) {
   for (const bool feedback : {false, true}) {
     Scenario scenario = short_move();
     scenario.controller.feedback = feedback;
+    scenario.engine = Engine::kModel;
     Rows exact;
     EXPECT_EQ((test::run_to_end(Simulation{scenario, make_soc(scenario), exact}).reason), EndReason::kFinished);
     scenario.input_jitter = true;
@@ -154,6 +155,7 @@ TEST(Simulation, InputJitterDelaysAnEmergencyStopByAClockAtMost) {
   };
   Scenario scenario = short_move();
   scenario.faults = {{.at_s = 0.008, .kind = Estop{.duration_s = 0.002}}};
+  scenario.engine = Engine::kModel;
   Stops exact;
   EXPECT_EQ((test::run_to_end(Simulation{scenario, make_soc(scenario), exact}).reason), EndReason::kFinished);
   EXPECT_EQ(exact.faults, 1);
@@ -318,13 +320,14 @@ TEST(Simulation, EndingAtAnyCycleOfATickLeavesNoEventBehind) {
   for (std::int64_t cycle = 0; cycle < kTickCycles; cycle += 61) {
     Scenario scenario = short_move();
     scenario.duration_s = to_seconds(Cycles{900'000 + cycle});
+    scenario.engine = Engine::kModel;
     // Away from zero and strict: a position read as 0 would be a following error.
     for (AxisSpec& axis : scenario.robot.axes) {
       axis.drive.natural_hz = 400;
       axis.following_error_deg = 0.008;
     }
     Rows rows;
-    const SimulationEnd end = run(scenario, rows);
+    const SimulationEnd end = test::run_to_end(Simulation{scenario, make_soc(scenario), rows});
     ASSERT_EQ(end.reason, EndReason::kFinished) << end.failure;
     ASSERT_THAT(rows.faults, testing::IsEmpty()) << "at cycle " << cycle;
   }

@@ -71,6 +71,7 @@ Scenario scenario_with(Motion motion) {
   const std::filesystem::path name = motion == Motion::kProgram ? "estop_during_program" : "pendant_moves";
   Scenario scenario = load_scenario(scenarios / name, {.search_path = scenarios, .overrides = {}});
   scenario.duration_s = 0.075;
+  scenario.engine = Engine::kModel;
   scenario.moves.clear();
   if (motion == Motion::kHeld) {
     scenario.moves.push_back({.at_s = 0.055, .kind = HoldSpec{}});

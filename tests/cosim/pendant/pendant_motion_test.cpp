@@ -47,6 +47,7 @@ Scenario run_of(double duration_s) {
   const std::filesystem::path scenarios = ARMATURE_SOURCE_DIR "/scenarios";
   Scenario scenario = load_scenario(scenarios / "pendant_moves", {.search_path = scenarios, .overrides = {}});
   scenario.duration_s = duration_s;
+  scenario.engine = Engine::kModel;
   return scenario;
 }
 

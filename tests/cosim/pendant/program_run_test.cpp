@@ -67,6 +67,7 @@ struct PendantProgram : testing::Test {
     Scenario scenario = load_scenario(scenarios / name, {.search_path = scenarios, .overrides = {}});
     scenario.robot = load_scenario(scenarios / robot_of, {.search_path = scenarios, .overrides = {}}).robot;
     scenario.duration_s = duration_s;
+    scenario.engine = Engine::kModel;
     scenario.pendant->profile = profile;
     if (settings) settings(scenario);
     const SimulationEnd end =

@@ -48,6 +48,7 @@ duration_s = 0.01
 at_s = 0.004
 text = "armature"
 )");
+  scenario.engine = Engine::kModel;
   scenario.duration_s = 0.06;
   return scenario;
 }
@@ -55,6 +56,7 @@ text = "armature"
 // The teach pendant and the controller talk, and the arm moves.
 inline Scenario pendant_scenario() {
   Scenario scenario = load_scenario(kScenarios / "pendant_moves", shipped());
+  scenario.engine = Engine::kModel;
   scenario.duration_s = 0.06;
   return scenario;
 }
