@@ -59,6 +59,10 @@ class Conservation {
   void on_clock(Cycles now, bool runs);
   // Call after each clock edge on which an output changed, after Plant::on_outputs().
   void on_outputs(const SocOutputs& out);
+  // Instead of on_outputs() for the edges of the pulses of a whole tick. Call it before on_trigger() at its end.
+  void on_tick(const TickPulses& tick) {
+    for (std::size_t axis = 0; axis < kAxes; ++axis) pins_[axis] += tick.axes[axis].count;
+  }
   // Call after the edge that raised the trigger pin, after on_outputs() of that cycle.
   void on_trigger(Cycles now);
   // A bus access without error whose response the core receives at `now`.

@@ -31,6 +31,9 @@ class FaultInjector {
   // Whether no fault stops the clock of the logic.
   [[nodiscard]] bool clock_runs() const { return clock_stops_ == 0; }
 
+  // Whether no fault holds a pin or stops a clock.
+  [[nodiscard]] bool is_quiet() const { return estops_ == 0 && clock_stops_ == 0 && !blocks_hang_; }
+
   // Whether a fault explains error responses of the bus to accesses of the program. Without such a fault they are an
   // error of the program.
   [[nodiscard]] bool explains_bus_errors() const { return blocks_hang_; }

@@ -43,6 +43,7 @@ Simulation::Simulation(const Scenario& scenario, std::unique_ptr<Soc> soc, Simul
       plant_{scenario.robot, drop_out(scenario), scenario.unreferenced_start_deg.value_or(PerAxis<double>{})},
       conservation_{
           plant_, scenario.bus, {.paper = scenario.variant == Variant::kPaper, .input_jitter = scenario.input_jitter}},
+      ticks_{*soc_, plant_, conservation_},
       script_{scenario},
       program_watch_{scenario, script_},
       injector_{{.plant = plant_, .processor = *processor_, .soc = *soc_}},
@@ -92,8 +93,9 @@ void Simulation::step(Cycles until) {
 // Runs to `until`, or until something happens that concerns more than pulses, drives and encoders.
 void Simulation::move_arm(Cycles until) {
   for (;;) {
-    const Cycles next = std::clamp(plant_.next_event(), now() + Cycles{1}, until);
+    const Cycles next = std::clamp(std::min(plant_.next_event(), ticks_.next_event()), now() + Cycles{1}, until);
     const bool others = soc_->advance(next, StopOn::kPinChange) && on_pins_changed();
+    if (ticks_.next_event() <= now() && ticks_.advance(now(), !wave_.is_open() && injector_.is_quiet())) drive_inputs();
     if (others || over_ || now() >= until || soc_->has_response()) return;
     if (plant_.next_event() <= now()) advance_plant();
     if (over_) return;
@@ -105,6 +107,11 @@ void Simulation::advance_plant() {
   drive_inputs();
   report_servo_enables();
   if (const auto& violation = plant_.violation()) fail(describe(*violation));
+}
+
+// From now on, and up to now, because something asks for the edges of the tick.
+void Simulation::compute_edges() {
+  if (ticks_.leave(now())) drive_inputs();
 }
 
 void Simulation::interrupt() {
@@ -125,6 +132,7 @@ SimulationEnd Simulation::finish() {
   end_.cycles = now();
   if (serial_) end_.serial_unsent = serial_->unsent();
   end_.worst_tick = processor_->worst_tick(now());
+  end_.whole_ticks = ticks_.ticks();
   end_.wave_written = wave_.was_open();
   return end_;
 }
@@ -154,6 +162,7 @@ Cycles Simulation::next_event() const {
 }
 
 void Simulation::deliver_due_events() {
+  if (const auto next = wave_.next_event(); next && *next <= now()) compute_edges();
   wave_.advance(now(), *soc_);
   if (plant_.next_event() <= now()) advance_plant();
   while (const auto action = script_.pop_due(now())) act(*action);
@@ -163,7 +172,10 @@ void Simulation::deliver_due_events() {
   read_host_memory();
   feed_program();
   if (soc_->idle()) grant_bus();
-  if (std::exchange(fault_detected_, false)) wave_.fault(now(), *soc_);
+  if (std::exchange(fault_detected_, false)) {
+    compute_edges();
+    wave_.fault(now(), *soc_);
+  }
 }
 
 void Simulation::advance_serial() {
@@ -218,6 +230,7 @@ void Simulation::finish_access(const BusResponse& response) {
 void Simulation::grant_bus() {
   access_ = processor_->next_access();
   if (!access_) return;
+  if (ticks_.disturbs(access_->request)) compute_edges();
   access_since_ = now();
   soc_->start(access_->request);
 }
@@ -250,13 +263,15 @@ bool Simulation::on_pins_changed() {
   others.step = out.step;
   others.dir = out.dir;
   others.heartbeat = out.heartbeat;
+  const bool triggers = out.trigger && !trigger_was_high_;
+  if (triggers && ticks_.on_trigger(now())) drive_inputs();
   plant_.on_outputs(now(), out);
   conservation_.on_outputs(out);
   if (serial_) serial_->on_level(now(), out.uart_txd);
   if (const auto& violation = plant_.violation()) fail(describe(*violation));
   if (out.gpio != tool_outputs_) report_outputs(out.gpio);
   report_servo_enables();
-  if (out.trigger && !trigger_was_high_) on_trigger();
+  if (triggers) on_trigger();
   trigger_was_high_ = out.trigger;
   if (out.irq != interrupts_) {
     processor_->set_interrupts(interrupts_ = out.irq, now());

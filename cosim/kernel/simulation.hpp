@@ -25,6 +25,7 @@
 #include "cosim/kernel/signal.hpp"
 #include "cosim/kernel/software_watch.hpp"
 #include "cosim/kernel/wave_window.hpp"
+#include "cosim/kernel/whole_ticks.hpp"
 #include "cosim/pendant/scripted_pendant.hpp"
 #include "cosim/plant/plant.hpp"
 #include "cosim/scenario/scenario.hpp"
@@ -53,7 +54,8 @@ struct SimulationEnd {
   Cycles cycles{};
   std::int64_t bus_reads = 0;
   std::int64_t bus_writes = 0;
-  Cycles worst_tick{};  // longest time core 0 took for one tick, interrupt entry included
+  Cycles worst_tick{};           // longest time core 0 took for one tick, interrupt entry included
+  std::int64_t whole_ticks = 0;  // that the engine computed without their edges
   bool wave_written = false;
   std::size_t serial_unsent = 0;  // items that the serial line had not yet sent to the controller
 };
@@ -81,6 +83,7 @@ class Simulation final {
   void step(Cycles until);
   void move_arm(Cycles until);
   void advance_plant();
+  void compute_edges();
   [[nodiscard]] Cycles next_event() const;
   void end_with_program();
   void connect_serial_line(SerialPeer* peer);
@@ -111,6 +114,7 @@ class Simulation final {
   host_memory::HostSide host_;
   Plant plant_;
   Conservation conservation_;
+  WholeTicks ticks_;
   Script script_;
   ProgramWatch program_watch_;
   MoveFeeder program_;

@@ -26,12 +26,14 @@ void Simulation::act(const ScriptAction& action) {
                    read_host_memory();
                  },
                  [this](const FaultSpec& fault) {
+                   compute_edges();
                    wave_.fault(now(), *soc_);
                    injector_.begin(fault.kind);
                    conservation_.on_clock(now(), injector_.clock_runs());
                    drive_inputs();
                  },
                  [this](const FaultEnd& end) {
+                   compute_edges();
                    injector_.end(end.fault.kind);
                    conservation_.on_clock(now(), injector_.clock_runs());
                    drive_inputs();

@@ -71,6 +71,14 @@ class Logic {
     variant_.stop_clock_of(group);
   }
 
+  // ---- whole ticks, with the blocks of CountsVariant (motion_port.hpp). Cycles are edges of the logic.
+  [[nodiscard]] typename Variant::Pulses& pulses() { return pulses_.block(); }
+  [[nodiscard]] const typename Variant::Pulses& pulses() const { return pulses_.block(); }
+  [[nodiscard]] Variant& variant() { return variant_; }
+  [[nodiscard]] const Variant& variant() const { return variant_; }
+  // The outputs after edges of the pulses that were computed late.
+  void sample_again() { outputs_ = sample(); }
+
   // The ports of the blocks that have the gated clock of `group`, one bit each.
   [[nodiscard]] static constexpr std::uint32_t ports_of(ClockGroup group) {
     constexpr std::uint32_t kSwitch = kBlocks > 5 ? 1u << 5 : 0u;

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <optional>
+#include <type_traits>
 #include <utility>
+#include <variant>
 
 #include "cosim/bus/axi_lite_master.hpp"
 #include "cosim/fabric/pin_trace.hpp"
 #include "cosim/model/bus.hpp"
 #include "cosim/model/logic.hpp"
+#include "cosim/model/logic_motion.hpp"
 #include "cosim/model/quick_access.hpp"
 
 namespace armature::cosim::model {
@@ -71,6 +74,14 @@ class ModelSoc final : public Soc {
   [[nodiscard]] const SocOutputs& outputs() const override { return logic_.outputs(); }
   [[nodiscard]] std::uint8_t interrupts() const override { return logic_.outputs().irq; }
 
+  // ---- whole ticks
+  [[nodiscard]] MotionPort* motion_port() override {
+    if constexpr (std::is_same_v<Variant, CountsVariant>) {
+      return clock_running_ && stood_ == Cycles{} ? &motion_ : nullptr;
+    }
+    return nullptr;
+  }
+
   // ---- waveforms
   void add_to_waves(const SoftwareSignals& signals) override { wave_.add(signals); }
   void open_wave(const std::filesystem::path& file, WaveFormat format) override { wave_.open(file, format); }
@@ -132,6 +143,14 @@ class ModelSoc final : public Soc {
     if (!master_.idle() && at >= master_.next_event()) response_ = master_.step(at, bus_.pins());
   }
 
+  static auto motion_of(Logic<Variant>& logic) {
+    if constexpr (std::is_same_v<Variant, CountsVariant>) {
+      return LogicMotion{logic};
+    } else {
+      return std::monostate{};
+    }
+  }
+
   BusSpec spec_;
   Logic<Variant> logic_;
   Bus<Logic<Variant>::kBlocks> bus_{Variant::kBases};
@@ -142,6 +161,7 @@ class ModelSoc final : public Soc {
   bool clock_running_ = true;
   Cycles stood_{};  // cycles without an edge
   PinTrace wave_;
+  std::conditional_t<std::is_same_v<Variant, CountsVariant>, LogicMotion, std::monostate> motion_{motion_of(logic_)};
 };
 
 }  // namespace

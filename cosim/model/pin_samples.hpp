@@ -19,6 +19,11 @@ class PinSamples {
     samples_[0] = level;
   }
 
+  // As if many edges had sampled `level`.
+  void fill(const Level& level) { samples_.fill(level); }
+
+  friend bool operator==(const PinSamples&, const PinSamples&) = default;
+
   // Whether further edges change nothing if they sample `level`.
   [[nodiscard]] bool are_settled(const Level& level) const { return samples_[0] == level && are_equal(); }
 

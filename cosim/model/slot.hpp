@@ -25,6 +25,7 @@ class Slot {
   void stop_gated_clock() { block_.stop_gated_clock(); }
 
   [[nodiscard]] const Block& block() const { return block_; }
+  [[nodiscard]] Block& block() { return block_; }
 
  private:
   Block block_{};

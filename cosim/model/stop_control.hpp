@@ -68,6 +68,11 @@ class StopControl {
     return due ? at + Cycles{1} : counting_ ? own_end_at_ : kNever;
   }
 
+  // Whether nothing stops pulses up to the next trigger if neither pins nor registers change.
+  [[nodiscard]] bool is_calm(const Inputs& in) const {
+    return !stops(in) && (!counting_ || idle_ticks_ == 0 || idle_ticks_ + 1 < in.limit);
+  }
+
   [[nodiscard]] bool estop() const { return estop_; }
   [[nodiscard]] bool watchdog() const { return watchdog_; }
   [[nodiscard]] bool heartbeat() const { return heartbeat_; }

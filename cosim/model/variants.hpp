@@ -41,6 +41,8 @@ class CountsVariant {
   void stop_clock_of(ClockGroup group) {
     if (group == ClockGroup::kEncoder) encoder_.stop_gated_clock();
   }
+  [[nodiscard]] Encoder<6>& encoder() { return encoder_.block(); }
+  [[nodiscard]] const Encoder<6>& encoder() const { return encoder_.block(); }
 
  private:
   [[nodiscard]] static EncoderInputs inputs(const SocInputs& pins, const DecoderInputs& in) {

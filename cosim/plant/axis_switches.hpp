@@ -15,6 +15,12 @@ class AxisSwitches {
   AxisSwitches(const AxisSpec& spec, double joint_deg_per_count)
       : home_deg_{spec.home_switch_deg}, limits_deg_{spec.limit_switch_deg}, deg_per_count_{joint_deg_per_count} {}
 
+  // Whether every switch has one level at all counts between the two, which are not far apart.
+  [[nodiscard]] bool are_steady(Counts from, Counts to) const {
+    return home(from) == home(to) && limit_neg(from) == limit_neg(to) && limit_pos(from) == limit_pos(to) &&
+           (!home_deg_ || home(from) || (deg(from) < home_deg_->front()) == (deg(to) < home_deg_->front()));
+  }
+
   [[nodiscard]] bool home(Counts count) const {
     return home_deg_ && deg(count) >= home_deg_->front() && deg(count) <= home_deg_->back();
   }

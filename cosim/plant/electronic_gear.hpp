@@ -28,6 +28,18 @@ class ElectronicGear {
     }
   }
 
+  // As many single pulses, signed by their direction.
+  void pulses(std::int64_t count) {
+    if (counts_per_rev_ == pulses_per_rev_) {
+      whole_ += count;
+      return;
+    }
+    remainder_ += count * counts_per_rev_;
+    const std::int64_t turns = remainder_ / pulses_per_rev_ - (remainder_ % pulses_per_rev_ < 0 ? 1 : 0);
+    whole_ += turns;
+    remainder_ -= turns * pulses_per_rev_;
+  }
+
   // Counts by which one pulse moves the reference.
   [[nodiscard]] double counts_per_pulse() const {
     return static_cast<double>(counts_per_rev_) / static_cast<double>(pulses_per_rev_);

@@ -17,6 +17,7 @@ IncrementalEncoder::IncrementalEncoder(std::int32_t counts_per_rev, Counts start
 }
 
 void IncrementalEncoder::move(Cycles from, Cycles length, Subcounts target) {
+  before_ = {from_, length_, start_, target_};
   from_ = from;
   length_ = length;
   start_ = target_;

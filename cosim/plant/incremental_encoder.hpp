@@ -5,9 +5,11 @@
 // Z is high during one count per revolution, where count mod counts_per_rev is 0.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "controller/base/units.hpp"
 #include "cosim/plant/clock.hpp"
@@ -28,6 +30,47 @@ class IncrementalEncoder {
   // From cycle `from` on the shaft moves with constant speed, from where it is, to reach `target` at `from` + `length`,
   // and rests there. The previous motion must have ended.
   void move(Cycles from, Cycles length, Subcounts target);
+
+  // ---- whole ticks: motions whose edges are not executed
+  // As move(). count() stands still until resume().
+  void move_without_edges(Cycles from, Cycles length, Subcounts target);
+  // The count after the edges up to the cycle `at`, which is in this motion or in the one before it, or later.
+  [[nodiscard]] Counts count_after(Cycles at) const;
+  // The cycle of the latest edge up to `at` in the motions without edges; none: not known.
+  [[nodiscard]] std::optional<Cycles> edge_before(Cycles at) const;
+  // Executes the edges that are left out up to the cycle `at`.
+  void resume(Cycles at);
+  [[nodiscard]] Counts target_count() const { return nearest_count(target_); }
+  [[nodiscard]] Subcounts target() const { return target_; }
+  [[nodiscard]] Subcounts start() const { return start_; }
+  // What a tick changes.
+  struct Motion {
+    Cycles from{};
+    Cycles length{1};
+    Subcounts start{};
+    Subcounts target{};
+  };
+  struct Motions {
+    Motion present{}, before{};          // before: none unless it ended where the present one began
+    Motion counted{}, counted_before{};  // the latest two in which the count changed
+  };
+  [[nodiscard]] Motions motions() const {
+    return {{from_, length_, start_, target_}, before_, counted_, counted_before_};
+  }
+  void set_motions(const Motions& motions);
+  // The edges in the history after `from`, the latest one first: calls `use(cycle, count before it)`.
+  template <class Use>
+  void edges_since(Cycles from, Use use) const {
+    for (std::size_t i = 1; i <= std::min(edges_, kHistory); ++i) {
+      const Edge& edge = history_[(edges_ - i) % kHistory];
+      if (edge.cycle <= from) return;
+      use(edge.cycle, edge.before);
+    }
+  }
+  [[nodiscard]] bool a(Counts count) const { return ((count.value() + 1) & 2) != 0; }
+  [[nodiscard]] bool b(Counts count) const { return (count.value() & 2) != 0; }
+  [[nodiscard]] bool z(Counts count) const { return count.value() % counts_per_rev_ == 0; }
+  [[nodiscard]] std::int64_t counts_per_rev() const { return counts_per_rev_; }
 
   // The first cycle, after the last executed edge, at which the count changes; kNever while it does not change.
   [[nodiscard]] Cycles next_edge() const { return next_edge_; }
@@ -66,6 +109,8 @@ class IncrementalEncoder {
   Counts count_{};
   std::int64_t turn_ = 0;  // count modulo counts_per_rev
   Cycles next_edge_ = kNever;
+  Motion before_{};
+  Motion counted_{}, counted_before_{};
   std::array<Edge, kHistory> history_{};  // ring
   std::size_t edges_ = 0;                 // executed in all
 };

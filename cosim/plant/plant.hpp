@@ -15,11 +15,13 @@
 #include "controller/base/axes.hpp"
 #include "controller/base/units.hpp"
 #include "cosim/logic/pins.hpp"
+#include "cosim/logic/whole_tick.hpp"
 #include "cosim/plant/axis_switches.hpp"
 #include "cosim/plant/clock.hpp"
 #include "cosim/plant/drop_out.hpp"
 #include "cosim/plant/incremental_encoder.hpp"
 #include "cosim/plant/mechanics.hpp"
+#include "cosim/plant/plant_ticks.hpp"
 #include "cosim/plant/servo_drive.hpp"
 #include "cosim/robot/robot_spec.hpp"
 
@@ -39,7 +41,7 @@ class Plant {
   void on_outputs(Cycles now, const SocOutputs& out);
 
   // The next cycle at which advance() must be called; kNever while every axis rests.
-  [[nodiscard]] Cycles next_event() const { return next_event_; }
+  [[nodiscard]] Cycles next_event() const { return ticks_ ? kNever : next_event_; }
 
   // Processes the events of cycle `now`. Earlier calls do nothing; a missed event throws std::logic_error.
   void advance(Cycles now);
@@ -60,15 +62,38 @@ class Plant {
   void drop_pulses(std::size_t axis, std::int64_t count) { drives_[axis].drop_pulses(count); }
   [[nodiscard]] std::int64_t pulses_to_drop(std::size_t axis) const { return drives_[axis].pulses_to_drop(); }
 
+  // ---- whole ticks: the pulses of a tick at once, without the edges of pulses and encoders (plant_ticks.cpp). From
+  // begin_tick() that returns true to resume_edges() nothing is due, on_outputs() sees no pulses, and inputs() stand
+  // still.
+
+  // Moves the motors through the steps of the tick, from its begin to the edge before its end. Call it after
+  // on_outputs() and before advance() of the cycle tick.begins. Returns false, and changes nothing, if more than pulses
+  // and encoder lines could change in the tick, or if a level of a line would not last longer than `spacing`.
+  [[nodiscard]] bool begin_tick(const TickPulses& tick, Cycles spacing);
+  // Takes the tick back, to its begin.
+  void revert_tick();
+  // Computes the edges again, from the end of the latest tick that was not taken back: after advance() of the cycle
+  // `now`. `changed`, `turned`: the latest edges of step and dir, which now have the levels of `out`.
+  void resume_edges(Cycles now, const SocOutputs& out, const PerAxis<Cycles>& changed, const PerAxis<Cycles>& turned);
+  [[nodiscard]] bool leaves_out_edges() const { return ticks_.has_value(); }
+  // The count of the encoder after the edges up to the cycle `at`, in the latest steps.
+  [[nodiscard]] Counts count_after(std::size_t axis, Cycles at) const { return encoders_[axis].count_after(at); }
+  // The count at which the index came in this tick; none: it did not come.
+  [[nodiscard]] const PerAxis<std::optional<Counts>>& index_in_tick() const { return ticks_->index; }
+  // The lines after `from` and before `now`, which is not in a tick that has begun.
+  [[nodiscard]] LineHistory line_history(Cycles from, Cycles now) const;
+
   // ---- true state, for recorder and checks; axis 0..5. Pulses on the pins = drive + dropped + ignored, net of
   // direction.
   [[nodiscard]] Pulses drive_pulses(std::size_t axis) const { return drives_[axis].counted_pulses(); }
   [[nodiscard]] Pulses dropped_pulses(std::size_t axis) const { return drives_[axis].dropped_pulses(); }
   [[nodiscard]] Pulses ignored_pulses(std::size_t axis) const { return drives_[axis].ignored_pulses(); }
-  [[nodiscard]] Counts motor_counts(std::size_t axis) const { return encoders_[axis].count(); }
+  [[nodiscard]] Counts motor_counts(std::size_t axis) const {
+    return ticks_ ? encoders_[axis].count_after(ticks_->counted_until) : encoders_[axis].count();
+  }
   // The smallest and the largest count that the encoder showed from cycle `from` up to now.
   [[nodiscard]] CountRange motor_counts_since(std::size_t axis, Cycles from) const {
-    return encoders_[axis].counts_since(from);
+    return ticks_ ? counts_in_tick(axis, from) : encoders_[axis].counts_since(from);
   }
   // Motor position as a joint angle at `now`, which is not before the last event [deg].
   [[nodiscard]] double motor_deg(std::size_t axis, Cycles now) const {
@@ -84,6 +109,15 @@ class Plant {
   void step_axes(Cycles now);
   void find_next_event();
 
+  [[nodiscard]] bool can_leave_out(const TickPulses& tick) const;
+  bool run_steps(const TickPulses& tick, Cycles spacing);
+  bool take_pulses(const TickPulses& tick, Cycles until, PerAxis<std::int32_t>& taken);
+  bool step_without_edges(Cycles now, Cycles spacing);
+  bool finishes_step(Cycles now, Cycles spacing);
+  [[nodiscard]] bool has_levels_of_inputs(std::size_t axis) const;
+  bool shows_no_more_than_lines(std::size_t axis, Counts from, Cycles now, Cycles spacing);
+  [[nodiscard]] CountRange counts_in_tick(std::size_t axis, Cycles from) const;
+
   std::vector<ServoDrive> drives_;  // kAxes, and so on
   std::unique_ptr<Mechanics> mechanics_;
   PerAxis<Shaft> shafts_;
@@ -98,6 +132,7 @@ class Plant {
   PerAxis<Cycles> next_edge_;
   Cycles next_event_ = kNever;
   std::optional<InputViolation> violation_;
+  std::optional<PlantTicks> ticks_;  // while edges are left out
 };
 
 }  // namespace armature::cosim

@@ -48,6 +48,15 @@ void ServoDrive::handle_pulse(int direction, Shaft& shaft) {
   }
 }
 
+// The same sums, in the same order, as pulse by pulse.
+void ServoDrive::take(std::int32_t count, Shaft& shaft) {
+  const double step = (count < 0 ? -1 : +1) * gear_.counts_per_pulse();
+  for (std::int32_t i = count < 0 ? -count : count; i > 0; --i) shaft.error -= step;
+  counted_ += Pulses{count};
+  gear_.pulses(count);
+  stepping_needed_ = true;
+}
+
 void ServoDrive::switch_on(Shaft& shaft) {
   const Counts here = nearest_count(position(shaft));
   const double error = static_cast<double>(gear_.whole() - here.value()) + gear_.fraction() + shaft.error;

@@ -27,6 +27,16 @@ class ServoDrive {
   // reference, from which the error of the shaft is measured.
   void on_pins(Cycles now, bool step, bool dir, bool servo_on, Shaft& shaft);
 
+  // ---- whole ticks: pulses without their edges
+  // Whether each pulse moves the reference, or none comes.
+  [[nodiscard]] bool takes(const AxisPulses& pulses) const {
+    return pulses.count == 0 ? enabled() || idle() : enabled() && to_drop_ == 0;
+  }
+  [[nodiscard]] const StepInput& input() const { return input_; }
+  // The next `count` pulses, signed by their direction.
+  void take(std::int32_t count, Shaft& shaft);
+  void resume_input(bool step, bool dir, Cycles changed, Cycles turned) { input_.resume(step, dir, changed, turned); }
+
   // Fault script: the drive does not see the next `count` pulses (added to those still to be lost).
   void drop_pulses(std::int64_t count) { to_drop_ += count; }
   [[nodiscard]] std::int64_t pulses_to_drop() const { return to_drop_; }  // still to be lost

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "cosim/plant/clock.hpp"
@@ -41,6 +42,22 @@ std::string describe(const InputViolation& violation) {
                      violation.cycle.value(), name(violation.rule), violation.measured.value(),
                      violation.measured.value() * kNsPerCycle, violation.required.value(),
                      violation.required.value() * kNsPerCycle);
+}
+
+bool StepInput::accepts(const AxisPulses& pulses) const {
+  if (pulses.count == 0) return true;
+  const Cycles level{pulses.window / (2 * pulses.pulses())};  // the shortest one
+  const Cycles first_rise = pulses.first + level;             // at the earliest
+  const bool held = pulses.turned <= pulses.fell || pulses.turned - pulses.fell >= timing_.dir_hold;
+  return held && level >= std::max(timing_.min_high, timing_.min_low) &&
+         first_rise - pulses.turned >= timing_.dir_setup;
+}
+
+void StepInput::resume(bool step, bool dir, Cycles changed, Cycles turned) {
+  step_ = step;
+  dir_ = dir;
+  (step ? last_rise_ : last_fall_) = changed;
+  turned_ = turned;
 }
 
 int StepInput::update(Cycles now, bool step, bool dir, bool checked) {

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "controller/base/units.hpp"
+#include "cosim/logic/whole_tick.hpp"
 #include "cosim/robot/robot_spec.hpp"
 
 namespace armature::cosim {
@@ -43,6 +44,11 @@ struct InputViolation {
 class StepInput {
  public:
   StepInput(std::size_t axis, const StepTiming& timing) : axis_{axis}, timing_{timing} {}
+
+  // Whether the pulses keep all times.
+  [[nodiscard]] bool accepts(const AxisPulses& pulses) const;
+  // The levels after pulses that were not seen one by one, and the edges of the latest changes.
+  void resume(bool step, bool dir, Cycles changed, Cycles turned);
 
   // Levels after clock edge `now`; must be called when one of them has changed. Returns the pulse: +1, -1 or 0. Before
   // the first call both lines count as low for longer than every required time. With `checked` false (servo off: the

@@ -50,6 +50,7 @@ RunSummary Run::finish() {
   summary.facts.bus_writes = end.bus_writes;
   summary.facts.worst_tick = end.worst_tick;
   summary.facts.sha256 = digest_.hex();
+  summary.host.whole_ticks = end.whole_ticks;
   summary.wave_written = end.wave_written;
   summary.serial_unsent = end.serial_unsent;
   summary.interrupted = end.reason == EndReason::kInterrupted;

@@ -15,6 +15,7 @@
 #include "cosim/bus/bus_access.hpp"
 #include "cosim/fabric/fabric.hpp"
 #include "cosim/logic/logic_spec.hpp"
+#include "cosim/soc/motion_port.hpp"
 
 namespace armature::cosim {
 
@@ -72,6 +73,9 @@ class Soc {
 
   // Interrupt levels, bit as in soc_map.toml: the same as outputs().irq, without computing the other pins.
   [[nodiscard]] virtual std::uint8_t interrupts() const = 0;
+
+  // ---- whole ticks (motion_port.hpp); null: the engine computes every edge
+  [[nodiscard]] virtual MotionPort* motion_port() { return nullptr; }
 
   // ---- waveforms: every signal of the engine into a file from now on, one file at a time. Both throw WaveError.
   virtual void add_to_waves(const SoftwareSignals&) {}  // as Fabric::add_to_waves

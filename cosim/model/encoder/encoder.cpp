@@ -37,10 +37,27 @@ Answer Encoder<kDecoders>::edge(Cycles at, const Strobes& access, const EncoderI
   if (access.read) answer = read(word_offset(access.raddr));
   const auto time = static_cast<std::uint32_t>(at.value() - 1);
 
-  // Everything follows from the state before the edge, so the later stages come first.
+  Flagged flagged;
+  if (lines_act_) {
+    flagged = move(at, lines(in), in.trigger);
+  } else if (in.trigger) {
+    std::copy_n(expected_.begin(), kDecoders, positions_.begin());
+    trigger_time_ = time;
+  }
+  cleared_faults_ = 0;
+  if (access.write) answer.werr = write(access, in.servo_on != 0 && !unlocked_);
+  set_faults(flagged.illegal, flagged.index, cleared_faults_, time);
+  wakes_at_ = in.trigger ? at + Cycles{1} : lines_act_ ? lines_wake(at, lines(in)) : kNever;
+  return answer;
+}
+
+// Everything follows from the state before the edge, so the later stages come first. `levels`: of the lines before it.
+template <std::size_t kDecoders>
+typename Encoder<kDecoders>::Flagged Encoder<kDecoders>::move(Cycles at, typename Filter::Word levels, bool trigger) {
+  const auto time = static_cast<std::uint32_t>(at.value() - 1);
   const Steps steps = this->steps();
   const std::uint32_t mismatch = std::exchange(mismatch_, latch_index(steps));
-  if (in.trigger) snapshot(time);
+  if (trigger) snapshot(time);
   count_errors(steps.illegal);
   count(steps, time);
   index_ = z() & ~z_before_ & filter_.known() >> 2 * kDecoders;
@@ -53,16 +70,17 @@ Answer Encoder<kDecoders>::edge(Cycles at, const Strobes& access, const EncoderI
   } else {
     filter_.follow(samples);
   }
-  pins_.sample(lines(in));
+  pins_.sample(levels);
+  sampled_ = samples;
+  return {.illegal = steps.illegal, .index = mismatch};
+}
 
-  cleared_faults_ = 0;
-  if (access.write) answer.werr = write(access, in.servo_on != 0 && !unlocked_);
-  set_faults(steps.illegal, mismatch, cleared_faults_, time);
-
-  const bool due = in.trigger || has_pending_events() || samples != pins_.ago(2) || !pins_.are_settled(lines(in)) ||
-                   at <= kSynchroniserFills;
-  wakes_at_ = due ? at + Cycles{1} : filter_.wakes_at(at, filter_settings());
-  return answer;
+// The next edge after `at`, the latest one, while the lines keep their levels.
+template <std::size_t kDecoders>
+Cycles Encoder<kDecoders>::lines_wake(Cycles at, typename Filter::Word levels) const {
+  const bool due =
+      has_pending_events() || sampled_ != pins_.ago(2) || !pins_.are_settled(levels) || at <= kSynchroniserFills;
+  return due ? at + Cycles{1} : filter_.wakes_at(at, filter_settings());
 }
 
 template <std::size_t kDecoders>

@@ -39,6 +39,28 @@ class LineFilter {
   // While the synchroniser has no samples yet.
   void follow(Word samples) { level_ = samples; }
 
+  // As if the samples had been `samples` for a long time before the edge `at`.
+  void settle(Cycles at, Word samples) {
+    level_ = samples;
+    known_ = known_before_ = kAll;
+    differs_ = counting_ = glitches_ = 0;
+    counts_.fill({.value = 0, .at = at});
+  }
+  // Whether both do the same after the edge `at`, the latest one of both.
+  [[nodiscard]] bool equals(const LineFilter& other, Cycles at) const {
+    const auto count = [at](const LineFilter& filter, std::size_t line) {
+      const std::int64_t passed = (at - filter.counts_[line].at).value();
+      return filter.counts_[line].value + ((filter.differs_ >> line & 1u) != 0 ? passed : -passed);
+    };
+    bool equal = level_ == other.level_ && known_ == other.known_ && known_before_ == other.known_before_ &&
+                 differs_ == other.differs_ && counting_ == other.counting_ && glitches_ == other.glitches_;
+    for (Word rest = counting_; equal && rest != 0; rest &= rest - 1) {
+      const auto line = static_cast<std::size_t>(std::countr_zero(rest));
+      equal = count(*this, line) == count(other, line);
+    }
+    return equal;
+  }
+
   // The next edge, after the edge `at`, at which a level or a glitch changes while the samples stay as they are.
   [[nodiscard]] Cycles wakes_at(Cycles at, const Settings& settings) const {
     if (known_ != kAll || glitches_ != 0) return at + Cycles{1};

@@ -27,6 +27,36 @@ void PulseAxis::begin_tick(Cycles at, const Times& times, std::int32_t count, bo
   own_pulse_ = window_open_ = false;
 }
 
+std::optional<AxisPulses> PulseAxis::whole_tick(const Times& times) const {
+  if (step_) return std::nullopt;
+  if (!running_) return AxisPulses{};
+  const Cycles start =
+      turns() ? turn_at(times) + times.dir_setup + Cycles{1} : std::max(set_up_at_, began_at_ + Cycles{1});
+  const Cycles first = start - Cycles{1};
+  const std::int64_t window = window_ - (first - began_at_).value();
+  if (window < kMinWidth.value() * increment_) return std::nullopt;
+  return AxisPulses{.count = unfinished_,
+                    .first = first,
+                    .window = static_cast<std::int32_t>(window),
+                    .fell = changed_at_,
+                    .turned = turns() ? turn_at(times) : turned_at(times)};
+}
+
+void PulseAxis::finish_tick(const AxisPulses& pulses) {
+  if (pulses.count == 0) return;
+  if (turns()) {
+    positive_ = !positive_;
+    set_up_at_ = pulses.first + Cycles{1};
+  }
+  emitted_ += static_cast<std::uint32_t>(pulses.count);
+  unfinished_ = 0;
+  window_ = pulses.window;
+  gained_ = 0;
+  changed_at_ = pulses.first + Cycles{((increment_ - 1) * window_ + increment_ - 1) / increment_};
+  toggle_at_ = pulses.first + Cycles{window_};
+  step_ = own_pulse_ = window_open_ = true;
+}
+
 Cycles PulseAxis::wakes_at(const Times& times) const {
   if (step_ && !own_pulse_) return changed_at_ + kMinWidth;
   if (!running_) return kNever;

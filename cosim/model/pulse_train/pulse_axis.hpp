@@ -8,7 +8,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
+#include "cosim/logic/whole_tick.hpp"
 #include "cosim/model/block.hpp"
 
 namespace armature::cosim::model {
@@ -31,6 +33,17 @@ class PulseAxis {
 
   // The next edge at which a level changes, if no trigger and no stop come first.
   [[nodiscard]] Cycles wakes_at(const Times& times) const;
+
+  // ---- whole ticks
+
+  // The pulses of the tick that has begun at the latest edge, if no stop comes; none: only its edges say them.
+  [[nodiscard]] std::optional<AxisPulses> whole_tick(const Times& times) const;
+  // To the last edge before the end of that tick, whose edges were left out.
+  void finish_tick(const AxisPulses& pulses);
+
+  // The edge of the latest change of step, and of the latest change of the direction (0 before the first one).
+  [[nodiscard]] Cycles changed_at() const { return changed_at_; }
+  [[nodiscard]] Cycles turned_at(const Times& times) const { return set_up_at_ - times.dir_setup - Cycles{1}; }
 
   [[nodiscard]] bool step() const { return step_; }
   [[nodiscard]] bool positive() const { return positive_; }

@@ -1,6 +1,7 @@
 #include "cosim/model/pulse_train/pulse_train.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "controller/regs/pulse_train_regs.hpp"
 
@@ -63,16 +64,21 @@ Answer PulseTrain::edge(Cycles at, const Strobes& access, const PulseInputs& in)
 
 void PulseTrain::run_axes(Cycles at, bool trigger, bool stopped) {
   if (!trigger && !stopped && at < axes_wake_at_) return;
-  std::uint8_t step = 0, dir = 0;
+  if (stopped && !generators_run_) throw std::logic_error{"model: a stop in a tick without edges"};
   for (std::size_t i = 0; i < kAxes; ++i) {
     PulseAxis& axis = axes_[i];
     axis.edge(at, times_, trigger, stopped);
     if (trigger) axis.begin_tick(at, times_, bank_.pending && !stopped ? bank_.counts[i] : 0, stopped);
-    step |= static_cast<std::uint8_t>(axis.step() << i);
-    dir |= static_cast<std::uint8_t>(axis.positive() << i);
   }
-  step_ = step;
-  dir_ = dir;
+  show_axes();
+}
+
+void PulseTrain::show_axes() {
+  step_ = dir_ = 0;
+  for (std::size_t i = 0; i < kAxes; ++i) {
+    step_ |= static_cast<std::uint8_t>(axes_[i].step() << i);
+    dir_ |= static_cast<std::uint8_t>(axes_[i].positive() << i);
+  }
 }
 
 // The trigger copies the counters of the tick that ends.
@@ -100,16 +106,18 @@ void PulseTrain::move_bank(bool trigger, bool stopped) {
   }
 }
 
+void PulseTrain::find_axes_wake(Cycles at) {
+  axes_wake_at_ = kNever;
+  if (!generators_run_) return;
+  for (const PulseAxis& axis : axes_) axes_wake_at_ = std::min(axes_wake_at_, axis.wakes_at(times_));
+  axes_wake_at_ = std::max(axes_wake_at_, at + Cycles{1});  // a hold time that was made shorter may be over already
+}
+
 void PulseTrain::find_wake(Cycles at, const PulseInputs& in) {
   const StopControl::Inputs control = stop_inputs(in.trigger);
   const bool stops = stop_.stops(control);
-  axes_wake_at_ = kNever;
-  bool running = false;
-  for (const PulseAxis& axis : axes_) {
-    axes_wake_at_ = std::min(axes_wake_at_, axis.wakes_at(times_));
-    running = running || axis.is_running();
-  }
-  axes_wake_at_ = std::max(axes_wake_at_, at + Cycles{1});  // a hold time that was made shorter may be over already
+  find_axes_wake(at);
+  const bool running = std::any_of(axes_.begin(), axes_.end(), [](const PulseAxis& axis) { return axis.is_running(); });
   const bool free_due = in.trigger || !pins_.are_settled(arm_pins(in)) || (stops && running);
   if (gated_clock_stopped_) {
     wakes_at_ = free_due ? at + Cycles{1} : axes_wake_at_;
@@ -119,6 +127,44 @@ void PulseTrain::find_wake(Cycles at, const PulseInputs& in) {
   const bool due = free_due || orders_.any() || clipped_ || residual_ || (stops && bank_.pending) ||
                    servo_pins_ != (locked_out ? 0 : servo_on_);
   wakes_at_ = due ? at + Cycles{1} : std::min(axes_wake_at_, stop_.wakes_at(at, control));
+}
+
+std::optional<TickPulses> PulseTrain::whole_tick(Cycles at) const {
+  if (gated_clock_stopped_ || !stop_.is_calm(stop_inputs(false)) || orders_.stop) return std::nullopt;
+  TickPulses tick{.begins = at, .ends = at + times_.tick};
+  for (std::size_t i = 0; i < kAxes; ++i) {
+    const std::optional<AxisPulses> pulses = axes_[i].whole_tick(times_);
+    if (!pulses) return std::nullopt;
+    tick.axes[i] = *pulses;
+  }
+  return tick;
+}
+
+void PulseTrain::finish_tick(const TickPulses& pulses) {
+  for (std::size_t i = 0; i < kAxes; ++i) axes_[i].finish_tick(pulses.axes[i]);
+}
+
+void PulseTrain::leave_out_generators(Cycles at) {
+  generators_run_ = false;
+  axes_wake_at_ = kNever;
+  wakes_at_ = at + Cycles{1};
+}
+
+void PulseTrain::run_generators(Cycles at) {
+  generators_run_ = true;
+  show_axes();
+  find_axes_wake(at);
+}
+
+void PulseTrain::generator_edge(Cycles at) {
+  run_axes(at, false, false);
+  find_axes_wake(at);
+}
+
+bool PulseTrain::write_disturbs(std::uint32_t offset) {
+  const bool count = offset >= train_regs::kCountOffset && offset < train_regs::kCountOffset + 4 * kAxes;
+  return !count && offset != train_regs::kCommitOffset && offset != train_regs::kFaultOffset &&
+         offset != train_regs::kKeyOffset;
 }
 
 Answer PulseTrain::read(Cycles at, std::uint32_t offset) const {

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "controller/base/axes.hpp"
 #include "cosim/model/arm_pins.hpp"
@@ -27,6 +28,27 @@ class PulseTrain {
   [[nodiscard]] std::uint8_t dir() const { return dir_; }
   [[nodiscard]] std::uint8_t servo_on() const { return servo_pins_; }
   [[nodiscard]] bool heartbeat() const { return stop_.heartbeat(); }
+
+  // ---- whole ticks: edges at which only levels of step and dir change are left out. Their pins stand still meanwhile.
+
+  // The pulses of the tick that has begun at the edge `at`, the latest one, if nothing disturbs it; none: only its
+  // edges say them.
+  [[nodiscard]] std::optional<TickPulses> whole_tick(Cycles at) const;
+  // From the edge `at` on, the latest one, the edges of the generators are left out, or (then wake_after()) computed.
+  void leave_out_generators(Cycles at);
+  void run_generators(Cycles at);
+  // The tick whose generators were left out is over: to the edge before the one that sees the trigger.
+  void finish_tick(const TickPulses& pulses);
+  // An edge of the generators that was left out, and the next one after it.
+  void generator_edge(Cycles at);
+  [[nodiscard]] Cycles generators_wake_at() const { return axes_wake_at_; }
+  [[nodiscard]] const PulseAxis& axis(std::size_t i) const { return axes_[i]; }
+  [[nodiscard]] const PulseAxis::Times& times() const { return times_; }
+  // Whether a write to the register may change the pulses of the running tick, or what comes from the encoder.
+  [[nodiscard]] static bool write_disturbs(std::uint32_t offset);
+
+  // The edge after `now` must be computed: edges before it were computed late.
+  void wake_after(Cycles now) { wakes_at_ = now + Cycles{1}; }
 
   // The clock of everything but generators, TIME and synchronisers stands still from now on.
   void stop_gated_clock() { gated_clock_stopped_ = true; }
@@ -50,6 +72,8 @@ class PulseTrain {
   [[nodiscard]] bool write_ctrl(const Strobes& access, bool locked);
   [[nodiscard]] bool write_protected(const Strobes& access, bool locked);
   void run_axes(Cycles at, bool trigger, bool stopped);
+  void show_axes();
+  void find_axes_wake(Cycles at);
   void snapshot();
   void move_bank(bool trigger, bool stopped);
   void find_wake(Cycles at, const PulseInputs& in);
@@ -57,6 +81,7 @@ class PulseTrain {
   PerAxis<PulseAxis> axes_{};
   PulseAxis::Times times_;
   Cycles axes_wake_at_ = kNever;
+  bool generators_run_ = true;
   StopControl stop_;
   PinSamples<ArmPins, 2> pins_;
   FaultFlags<6> faults_;

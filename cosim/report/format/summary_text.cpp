@@ -130,8 +130,10 @@ std::string summary_text(const RunSummary& summary) {
     line(out, "variant", "paper: half periods for counts, one decoder for all encoders");
   line(out, "outcome", "{}", summary.failure ? *summary.failure : std::string{summary.outcome()});
   line(out, "simulated time", "{:.6f} s, {} ticks, {} cycles", facts.simulated_s(), facts.ticks, facts.cycles.value());
-  line(out, "host time", "{:.2f} s, {:.2f} Mcycles/s, real-time factor {:.3f}", summary.host.wall_s,
-       summary.cycles_per_s() / 1e6, summary.real_time_factor());
+  const std::int64_t whole = summary.host.whole_ticks;
+  line(out, "host time", "{:.2f} s, {:.2f} Mcycles/s, real-time factor {:.3f}{}", summary.host.wall_s,
+       summary.cycles_per_s() / 1e6, summary.real_time_factor(),
+       whole > 0 ? fmt::format(", {} ticks as a whole", whole) : std::string{});
   line(out, "bus accesses", "{} reads, {} writes", facts.bus_reads, facts.bus_writes);
   line(out, "worst tick", "{} of {} cycles ({:.1f} %)", facts.worst_tick.value(), kTickCycles,
        100.0 * static_cast<double>(facts.worst_tick.value()) / static_cast<double>(kTickCycles));

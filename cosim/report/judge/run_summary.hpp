@@ -48,6 +48,7 @@ struct RunSummary {
   // ---- of this machine and moment
   struct Host {
     double wall_s = 0;
+    std::int64_t whole_ticks = 0;  // that the engine computed without their edges
   } host;
 
   // How the run ended: one of outcomes(), or kInterruptedOutcome.

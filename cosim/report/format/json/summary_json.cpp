@@ -85,7 +85,8 @@ std::string summary_json(const RunSummary& summary) {
       {"host",
        {{"wall_s", summary.host.wall_s},
         {"cycles_per_s", summary.cycles_per_s()},
-        {"real_time_factor", summary.real_time_factor()}}},
+        {"real_time_factor", summary.real_time_factor()},
+        {"whole_ticks", summary.host.whole_ticks}}},
   };
   return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

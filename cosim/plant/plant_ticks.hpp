@@ -1,0 +1,33 @@
+// What the plant remembers while the edges of pulses and encoders are left out.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "controller/base/axes.hpp"
+#include "controller/base/units.hpp"
+#include "cosim/plant/incremental_encoder.hpp"
+#include "cosim/plant/mechanics.hpp"
+#include "cosim/plant/servo_drive.hpp"
+
+namespace armature::cosim {
+
+struct PlantTicks {
+  // What a tick changes, as it was at its begin.
+  struct State {
+    std::vector<ServoDrive> drives{};
+    PerAxis<Shaft> shafts{};
+    PerAxis<IncrementalEncoder::Motions> motions{};
+    std::uint8_t moving = 0;
+  };
+
+  State begin{};
+  bool first = true;                       // edges were computed before this tick
+  Cycles counted_until{};                  // the edge before the one that raises the trigger pin at its end
+  PerAxis<int> direction{};                // of the latest change of a count
+  PerAxis<Cycles> changed_in{};            // the step in which it was, or may have been
+  PerAxis<std::optional<Counts>> index{};  // the count at which the index came in this tick
+};
+
+}  // namespace armature::cosim

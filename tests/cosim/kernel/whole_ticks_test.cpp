@@ -1,0 +1,205 @@
+// Ticks that run as a whole give what their edges give, wherever they are disturbed.
+//
+// The oracle is the same simulation on the same model whose every edge is computed; the lock-step tests compare that
+// one with the RTL.
+#include "cosim/kernel/whole_ticks.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "cosim/kernel/scenario_soc.hpp"
+#include "cosim/kernel/simulation.hpp"
+#include "cosim/scenario/files/scenario_loader.hpp"
+#include "cosim/time/clock.hpp"
+#include "tests/controller/support/draws.hpp"
+#include "tests/support/silent_listener.hpp"
+#include "tests/support/split_mix.hpp"
+
+namespace armature::cosim {
+namespace {
+
+using armature::test::SplitMix;
+
+constexpr std::uint64_t kWholeTicksSeed = 2026;
+
+// A chip that gives no whole ticks, or one that is disturbed at random.
+class OtherSoc final : public Soc, private MotionPort {
+ public:
+  // `rarity`: one access of so many disturbs, and one tick of so many does not begin as a whole; 0: no tick does.
+  OtherSoc(std::unique_ptr<Soc> soc, std::uint32_t rarity, std::uint64_t seed)
+      : soc_{std::move(soc)}, port_{soc_->motion_port()}, rarity_{rarity}, random_{seed} {}
+
+  Cycles now() const override { return soc_->now(); }
+  bool advance(Cycles limit, StopOn stop_on) override { return soc_->advance(limit, stop_on); }
+  void set_clock_running(bool running) override { soc_->set_clock_running(running); }
+  void stop_clock_of(ClockGroup group) override { soc_->stop_clock_of(group); }
+  bool idle() const override { return soc_->idle(); }
+  std::optional<Cycles> start(const BusRequest& request) override { return soc_->start(request); }
+  bool has_response() const override { return soc_->has_response(); }
+  std::optional<BusResponse> pop_response() override { return soc_->pop_response(); }
+  Cycles access_timeout() const override { return soc_->access_timeout(); }
+  void set_inputs(const SocInputs& inputs) override { soc_->set_inputs(inputs); }
+  const SocOutputs& outputs() const override { return soc_->outputs(); }
+  std::uint8_t interrupts() const override { return soc_->interrupts(); }
+  void open_wave(const std::filesystem::path& file, WaveFormat format) override { soc_->open_wave(file, format); }
+  void close_wave() override { soc_->close_wave(); }
+  MotionPort* motion_port() override { return rarity_ != 0 && soc_->motion_port() != nullptr ? this : nullptr; }
+
+ private:
+  DecoderTimes decoder_times() const override { return port_->decoder_times(); }
+  std::optional<TickPulses> begin() const override { return now_and_then() ? std::nullopt : port_->begin(); }
+  bool leave_out(const LineHistory& history) override { return port_->leave_out(history); }
+  bool expect(const PerAxis<Counts>& counts, const PerAxis<std::optional<Counts>>& index) override {
+    return !now_and_then() && port_->expect(counts, index);
+  }
+  void finish(const TickPulses& pulses) override { port_->finish(pulses); }
+  bool disturbs(const BusRequest& request) const override { return now_and_then() || port_->disturbs(request); }
+  void continue_after(Cycles at, const LineHistory& history, bool begun) override {
+    port_->continue_after(at, history, begun);
+  }
+  StepPins step_pins() const override { return port_->step_pins(); }
+  Cycles catch_up(Cycles from, Cycles until, const EncoderLines& lines) override {
+    return port_->catch_up(from, until, lines);
+  }
+  bool now_and_then() const { return random_.below(rarity_) == 0; }
+
+  std::unique_ptr<Soc> soc_;
+  MotionPort* port_;
+  std::uint32_t rarity_;
+  mutable SplitMix random_;
+};
+
+// All that a run shows.
+class Seen final : public test::SilentListener {
+ public:
+  void on_row(const TraceRow& row) override { rows.push_back(row); }
+  void on_event(const Event& event, Cycles now) override { events.emplace_back(now.value(), event.index()); }
+  void on_signal(const Signal& signal, Cycles now) override { events.emplace_back(now.value(), 100 + signal.index()); }
+
+  std::vector<TraceRow> rows;
+  std::vector<std::pair<std::int64_t, std::size_t>> events;
+  SimulationEnd end;
+};
+
+Seen run(const Scenario& scenario, std::uint32_t rarity, std::uint64_t seed = 0) {
+  Seen seen;
+  seen.end = test::run_to_end(Simulation{scenario, std::make_unique<OtherSoc>(make_soc(scenario), rarity, seed), seen});
+  return seen;
+}
+
+void expect_equal(const Seen& got, const Seen& wanted) {
+  EXPECT_EQ(got.end.reason, wanted.end.reason) << got.end.failure;
+  EXPECT_EQ(got.end.failure, wanted.end.failure);
+  EXPECT_EQ(got.end.bus_reads, wanted.end.bus_reads);
+  EXPECT_EQ(got.events, wanted.events);
+  ASSERT_EQ(got.rows.size(), wanted.rows.size());
+  for (std::size_t i = 0; i < got.rows.size(); ++i) {
+    const TraceRow &a = got.rows[i], &b = wanted.rows[i];
+    ASSERT_EQ(a.cycle, b.cycle) << "row " << i;
+    ASSERT_EQ(a.pin_pulses, b.pin_pulses) << "row " << i;
+    ASSERT_EQ(a.drive_pulses, b.drive_pulses) << "row " << i;
+    ASSERT_EQ(a.motor_counts, b.motor_counts) << "row " << i;
+    ASSERT_EQ(a.motor_deg, b.motor_deg) << "row " << i;
+    ASSERT_EQ(a.telemetry.encoder, b.telemetry.encoder) << "row " << i;
+    ASSERT_EQ(a.load[0].awake_cycles, b.load[0].awake_cycles) << "row " << i;
+  }
+}
+
+const std::filesystem::path kShipped = ARMATURE_SOURCE_DIR "/scenarios";
+
+// Joint moves of some ms, there and back, some with the highest rate of pulses; gears that are no whole numbers,
+// switches on the way, any phase between ticks and steps of the motors.
+Scenario random_moves(SplitMix& random) {
+  const bool fast = random.below(3) == 0;
+  Scenario scenario = load_scenario(kShipped / (fast ? "max_rate_4mpps" : "fig9_joint_move"),
+                                    {.search_path = kShipped, .overrides = {}});
+  scenario.engine = Engine::kModel;
+  scenario.duration_s = 0.15;
+  scenario.seed = random.next();
+  scenario.bus.latency_cycles = 1 + random.below(12);
+  const CommandSpec like = scenario.moves.front();
+  scenario.moves.clear();
+  for (int i = 0; i < 4; ++i) {
+    CommandSpec move = like;
+    move.at_s = 0.002 + 0.03 * i;
+    PerAxis<double> target;
+    const double size_deg = fast ? 80.0 : 0.1 * (1 + random.below(40));
+    for (double& deg : target) deg = random.below(4) == 0 ? 0.0 : (random.below(2001) * 1e-3 - 1.0) * size_deg;
+    move.kind = JointSpec{.target_deg = target};
+    scenario.moves.push_back(move);
+  }
+  for (AxisSpec& axis : scenario.robot.axes) {
+    if (random.below(2) == 0) axis.encoder_lines = 2048;
+    if (random.below(4) == 0) axis.limit_switch_deg = {{-0.5, 0.9}};
+  }
+  if (random.below(2) == 0) {
+    scenario.faults = {{.at_s = 0.05 + random.below(2500) * 20e-9, .kind = Estop{.duration_s = 0.01}}};
+  }
+  return scenario;
+}
+
+TEST(WholeTicks, GiveWhatTheirEdgesGive) {
+  SplitMix random{kWholeTicksSeed};
+  std::int64_t whole = 0, all = 0, most_pulses = 0;
+  for (int i = 0; i < armature::test::draws(20); ++i) {
+    SCOPED_TRACE(testing::Message() << "seed " << kWholeTicksSeed << ", scenario " << i);
+    const Scenario scenario = random_moves(random);
+    const Seen edges = run(scenario, 0);
+    ASSERT_EQ(edges.end.whole_ticks, 0);
+    const Seen ticks = run(scenario, 1'000'000'000);
+    ASSERT_NO_FATAL_FAILURE(expect_equal(ticks, edges));
+    whole += ticks.end.whole_ticks;
+    all += static_cast<std::int64_t>(ticks.rows.size());
+    for (std::size_t row = 1; row < ticks.rows.size(); ++row) {
+      most_pulses = std::max(most_pulses, ticks.rows[row].pin_pulses[0] - ticks.rows[row - 1].pin_pulses[0]);
+    }
+  }
+  EXPECT_GT(whole, 0);
+  if (armature::test::few_draws()) return;
+  EXPECT_GT(whole, all / 3) << "of " << all << " ticks; after an emergency stop none is whole";
+  EXPECT_GT(most_pulses, 80) << "in a tick";
+}
+
+TEST(WholeTicks, GiveTheSameIfTheyAreDisturbedAnywhere) {
+  SplitMix random{kWholeTicksSeed + 1};
+  for (const std::uint32_t rarity : {15u, 60u, 400u}) {
+    for (int i = 0; i < armature::test::draws(3); ++i) {
+      SCOPED_TRACE(testing::Message() << "seed " << kWholeTicksSeed + 1 << ", one of " << rarity << ", scenario " << i);
+      const Scenario scenario = random_moves(random);
+      const Seen edges = run(scenario, 0);
+      const Seen disturbed = run(scenario, rarity, random.next());
+      ASSERT_NO_FATAL_FAILURE(expect_equal(disturbed, edges));
+      EXPECT_GT(disturbed.end.whole_ticks, 0);
+      EXPECT_LT(disturbed.end.whole_ticks, static_cast<std::int64_t>(edges.rows.size()));
+    }
+  }
+}
+
+TEST(WholeTicks, AFaultAtAnyCycleOfATickGivesTheSame) {
+  SplitMix random{kWholeTicksSeed + 2};
+  Scenario scenario = random_moves(random);
+  scenario.duration_s = 0.03;
+  const std::vector<std::int64_t> cycles{0, 2497, 1, 1203, 2498, 2, 2397, 2499, 3, 500, 2496, 9};
+  for (const std::int64_t cycle : armature::test::cases(cycles)) {
+    const double at_s = 0.01 + static_cast<double>(cycle) * 20e-9;
+    for (const FaultKind& kind : std::vector<FaultKind>{
+             Estop{.duration_s = 0.002}, ClockStop{.duration_s = 0.001}, PulseLoss{.axis = 1, .count = 3},
+             BlockHang{.clock = ClockGroup::kMotion}, BlockHang{.clock = ClockGroup::kEncoder}}) {
+      SCOPED_TRACE(testing::Message() << "cycle " << cycle << ", fault " << kind.index());
+      scenario.faults = {{.at_s = at_s, .kind = kind}};
+      const Seen edges = run(scenario, 0);
+      ASSERT_NO_FATAL_FAILURE(expect_equal(run(scenario, 1'000'000'000), edges));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace armature::cosim
