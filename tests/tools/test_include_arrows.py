@@ -157,7 +157,13 @@ NESTED = {
 }
 MAX_SOURCES = 25  # of a folder of the product
 # What the plant, which sees pins and never registers, may include.
-PLANT = {"controller/base/", "cosim/plant/", "cosim/logic/pins.hpp", "cosim/logic/whole_tick.hpp", "cosim/robot/robot_spec.hpp"}
+PLANT = {
+    "controller/base/",
+    "cosim/plant/",
+    "cosim/logic/pins.hpp",
+    "cosim/logic/whole_tick.hpp",
+    "cosim/robot/robot_spec.hpp",
+}
 # Of the parts that a scenario describes, the scenario may include their descriptions only.
 DESCRIBED = {"bus", "cpu", "fault", "serial", "pendant"}
 DESCRIPTION = re.compile(r"_spec\.hpp$|/bus_error\.hpp$")
