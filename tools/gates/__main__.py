@@ -16,7 +16,7 @@ from session import BUILD, ROOT, Outcome, Session, command, say
 TEST, SANITIZED, GCC = (ROOT / "build" / name for name in ("test", "dev", "gcc"))
 FEW = {"ARMATURE_FEW_DRAWS": "1"}
 SHORT_FUZZ = {"ARMATURE_FUZZ_SECONDS": "5"}
-LOCKSTEP = {"ARMATURE_SCENARIO_ENGINE": "lockstep"}
+EVERY_ENGINE = {"ARMATURE_SCENARIO_ENGINES": "lockstep model"}
 FEW_SCENARIOS = {"ARMATURE_RANDOM_SCENARIOS": "20"}
 MOST_NAMES = 6  # of gates in a message
 FOREIGN_INPUT = ["-L", "^foreign_input$"]
@@ -126,7 +126,7 @@ def all_changes(session: Session):
 def everything(session: Session):
     """tools/test --all: everything, in half an hour."""
     session.gate("style", lambda: command([ROOT / "tools/style"]))
-    environment = {**with_rs274(), **LOCKSTEP}
+    environment = {**with_rs274(), **EVERY_ENGINE}
     if session.gate(BUILD, lambda: build(TEST, ["without_unit_tests", "recorded_gates"])):
         groups = ["scenarios", "command line and page", "long tests", ctest.OTHERS]
         tests(session, groups, unit_tests(), environment)
