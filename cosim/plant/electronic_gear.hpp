@@ -15,20 +15,8 @@ class ElectronicGear {
     if (counts_per_rev < 1 || pulses_per_rev < 1) throw std::invalid_argument{"electronic gear: ratio is not positive"};
   }
 
-  // Moves the reference by one pulse, direction +1 or -1. Any number of pulses in any order leaves no error: the
-  // reference depends on their sum only.
-  void pulse(int direction) {
-    remainder_ += direction * counts_per_rev_;
-    if (remainder_ >= 0 && remainder_ < pulses_per_rev_) return;
-    whole_ += remainder_ / pulses_per_rev_;
-    remainder_ %= pulses_per_rev_;
-    if (remainder_ < 0) {
-      remainder_ += pulses_per_rev_;
-      --whole_;
-    }
-  }
-
-  // As many single pulses, signed by their direction.
+  // Moves the reference by a number of pulses, signed by their direction. Any number of pulses in any order leaves no
+  // error: the reference depends on their sum only.
   void pulses(std::int64_t count) {
     if (counts_per_rev_ == pulses_per_rev_) {
       whole_ += count;

@@ -21,11 +21,7 @@ Counts count_in(const IncrementalEncoder::Motion& motion, std::int64_t elapsed) 
 }  // namespace
 
 void IncrementalEncoder::move_without_edges(Cycles from, Cycles length, Subcounts target) {
-  before_ = {from_, length_, start_, target_};
-  from_ = from;
-  length_ = length;
-  start_ = target_;
-  target_ = target;
+  begin_motion(from, length, target);
   if (nearest_count(start_) == nearest_count(target_)) return;
   counted_before_ = counted_;
   counted_ = {from_, length_, start_, target_};

@@ -17,12 +17,16 @@ IncrementalEncoder::IncrementalEncoder(std::int32_t counts_per_rev, Counts start
 }
 
 void IncrementalEncoder::move(Cycles from, Cycles length, Subcounts target) {
+  begin_motion(from, length, target);
+  next_edge_ = find_next_edge();
+}
+
+void IncrementalEncoder::begin_motion(Cycles from, Cycles length, Subcounts target) {
   before_ = {from_, length_, start_, target_};
   from_ = from;
   length_ = length;
   start_ = target_;
   target_ = target;
-  next_edge_ = find_next_edge();
 }
 
 // With d cycles since `from_`, the position is start + (target - start) d / length, an exact rational number.

@@ -80,8 +80,8 @@ class IncrementalEncoder {
   void execute_edge();
 
   [[nodiscard]] Counts count() const { return count_; }
-  [[nodiscard]] bool a() const { return ((count_.value() + 1) & 2) != 0; }
-  [[nodiscard]] bool b() const { return (count_.value() & 2) != 0; }
+  [[nodiscard]] bool a() const { return a(count_); }
+  [[nodiscard]] bool b() const { return b(count_); }
   [[nodiscard]] bool z() const { return turn_ == 0; }
 
   // Shaft position at `now`, which is not before the present motion.
@@ -99,6 +99,7 @@ class IncrementalEncoder {
     Counts before{};
   };
 
+  void begin_motion(Cycles from, Cycles length, Subcounts target);
   [[nodiscard]] Cycles find_next_edge() const;
 
   std::int64_t counts_per_rev_;

@@ -41,10 +41,7 @@ void ServoDrive::handle_pulse(int direction, Shaft& shaft) {
     --to_drop_;
     dropped_ += Pulses{direction};
   } else {
-    counted_ += Pulses{direction};
-    gear_.pulse(direction);
-    shaft.error -= direction * gear_.counts_per_pulse();
-    stepping_needed_ = true;
+    take(direction, shaft);
   }
 }
 

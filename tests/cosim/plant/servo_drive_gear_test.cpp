@@ -25,7 +25,7 @@ TEST_P(ElectronicGearRatio, IsExactAfterEveryPulseOfARandomWalk) {
   int direction = 1;
   for (int i = 0; i < 200'000; ++i) {
     if (random.chance(0.001)) direction = -direction;
-    gear.pulse(direction);
+    gear.pulses(direction);
     sum += direction;
     ASSERT_EQ(gear.whole() * per_rev + gear.remainder(), sum * counts) << "seed " << kSeed << ", pulse " << i;
     ASSERT_GE(gear.remainder(), 0);
@@ -39,14 +39,14 @@ INSTANTIATE_TEST_SUITE_P(Ratios, ElectronicGearRatio,
 
 TEST(ElectronicGear, IsExactBeyondThirtyTwoBits) {
   ElectronicGear gear{2'000'000'000, 3};
-  for (int i = 0; i < 10; ++i) gear.pulse(+1);
+  for (int i = 0; i < 10; ++i) gear.pulses(+1);
   EXPECT_EQ(gear.whole(), 6'666'666'666);
   EXPECT_EQ(gear.remainder(), 2);
 }
 
 TEST(ElectronicGear, StartsOverAtAGivenCount) {
   ElectronicGear gear{4, 3};
-  gear.pulse(-1);
+  gear.pulses(-1);
   gear.set(-12);
   EXPECT_EQ(gear.whole(), -12);
   EXPECT_EQ(gear.fraction(), 0.0);
