@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <utility>
 
 #include "controller/regs/encoder_regs.hpp"
@@ -11,7 +10,8 @@
 #include "controller/regs/pulse_train_regs.hpp"
 #include "controller/regs/pulse_width_regs.hpp"
 #include "controller/regs/soc_map.hpp"
-#include "cosim/check/register_address.hpp"
+#include "cosim/bus/register_address.hpp"
+#include "cosim/logic/axis_bits.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -65,11 +65,8 @@ void Conservation::on_clock(Cycles now, bool runs) {
 // ---- pins ----
 
 void Conservation::on_outputs(const SocOutputs& out) {
-  for (unsigned rising = out.step & ~step_; rising != 0; rising &= rising - 1) {
-    const auto axis = static_cast<std::size_t>(std::countr_zero(rising));
-    const bool forward = ((out.dir >> axis) & 1) == static_cast<int>(kDirForward);
-    pins_[axis] += forward ? 1 : -1;
-  }
+  for_each_bit(out.step & ~step_,
+               [&](std::size_t axis) { pins_[axis] += has_bit(out.dir, axis) == kDirForward ? 1 : -1; });
   step_ = out.step;
   servo_on_ = out.servo_on;
   servo_was_off_ |= static_cast<std::uint8_t>(~out.servo_on);

@@ -50,7 +50,7 @@ bool WholeTicks::begin(Cycles now) {
   }
   LineHistory history;
   if (first) history = plant_.line_history(now - times.history, now);
-  if (plant_.begin_tick(*tick_, times.spacing)) {
+  if (plant_.begin_tick(*tick_, times.latency)) {
     const bool left_out = !first || port_->leave_out(history);
     if (left_out && expect_trigger()) return true;
     plant_.revert_tick();

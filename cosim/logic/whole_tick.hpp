@@ -48,7 +48,7 @@ struct EncoderLines {
   friend bool operator==(const EncoderLines&, const EncoderLines&) = default;
 };
 
-// The lines of the last edges before `until`: what a decoder needs in order to continue from there.
+// The lines of the last edges: what a decoder needs in order to continue from there.
 struct LineHistory {
   struct Change {
     Cycles at{};  // the lines have these levels after this edge

@@ -15,10 +15,14 @@
 // Edge 1 is the first one after reset: kTimeZero is the state in reset.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 
+#include "controller/base/axes.hpp"
 #include "controller/base/units.hpp"
+#include "cosim/bus/register_address.hpp"
 
 namespace armature::cosim::model {
 
@@ -51,6 +55,11 @@ inline constexpr Answer kUnmappedRead{.rdata = kUnmappedData, .rerr = true};
 // The offset of the word that has the address: bits 1:0 select nothing.
 [[nodiscard]] constexpr std::uint32_t word_offset(std::uint16_t address) {
   return address & ~3u;
+}
+
+// The element that has this offset, in an array with a register for each axis that begins at `first`; none: no element.
+[[nodiscard]] constexpr std::optional<std::size_t> element_at(std::uint32_t offset, std::uint32_t first) {
+  return element(offset, first, 4, kAxes);
 }
 
 // The bits of the bytes that the access writes.

@@ -5,10 +5,10 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 
+#include "cosim/logic/axis_bits.hpp"
 #include "cosim/model/block.hpp"
 
 namespace armature::cosim::model {
@@ -18,9 +18,8 @@ class FaultFlags {
  public:
   // `events`, `cleared`: bits of the flags at the edge `at`.
   void edge(Cycles at, std::uint32_t events, std::uint32_t cleared) {
-    for (std::uint32_t first = events & ~flags_; first != 0; first &= first - 1) {
-      times_[static_cast<std::size_t>(std::countr_zero(first))] = static_cast<std::uint32_t>(at.value() - 1);
-    }
+    for_each_bit(events & ~flags_,
+                 [&](std::size_t first) { times_[first] = static_cast<std::uint32_t>(at.value() - 1); });
     flags_ = (flags_ & ~cleared) | events;
   }
 

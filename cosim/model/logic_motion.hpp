@@ -19,7 +19,7 @@ class LogicMotion final : public MotionPort {
   explicit LogicMotion(Logic<CountsVariant>& logic) : logic_{logic} {}
 
   [[nodiscard]] DecoderTimes decoder_times() const override {
-    return {.latency = encoder().latency(), .spacing = encoder().spacing(), .history = encoder().history()};
+    return {.latency = encoder().latency(), .history = encoder().history()};
   }
   [[nodiscard]] std::optional<TickPulses> begin() const override { return logic_.pulses().whole_tick(logic_.now()); }
   [[nodiscard]] bool leave_out(const LineHistory& history) override {

@@ -8,12 +8,12 @@
 namespace armature::cosim {
 
 IncrementalEncoder::IncrementalEncoder(std::int32_t counts_per_rev, Counts start)
-    : counts_per_rev_{counts_per_rev}, start_{start.value() * kSubcountsPerCount}, target_{start_}, count_{start} {
+    : counts_per_rev_{counts_per_rev},
+      motions_{.present = {.start = to_subcounts(start), .target = to_subcounts(start)}},
+      count_{start} {
   if (counts_per_rev <= 0 || counts_per_rev % 4 != 0) {
     throw std::invalid_argument{"encoder: counts per revolution are not a positive multiple of 4"};
   }
-  turn_ = start.value() % counts_per_rev;
-  if (turn_ < 0) turn_ += counts_per_rev;
 }
 
 void IncrementalEncoder::move(Cycles from, Cycles length, Subcounts target) {
@@ -22,40 +22,27 @@ void IncrementalEncoder::move(Cycles from, Cycles length, Subcounts target) {
 }
 
 void IncrementalEncoder::begin_motion(Cycles from, Cycles length, Subcounts target) {
-  before_ = {from_, length_, start_, target_};
-  from_ = from;
-  length_ = length;
-  start_ = target_;
-  target_ = target;
+  motions_.before = motions_.present;
+  motions_.present = {.from = from, .length = length, .start = motions_.before.target, .target = target};
 }
 
-// With d cycles since `from_`, the position is start + (target - start) d / length, an exact rational number.
-// Rising: the count changes at the first d with position >= boundary; falling: with position < boundary.
+// The position is an exact rational number.
+Cycles IncrementalEncoder::Motion::crosses(Subcounts boundary) const {
+  const std::int64_t distance = (target - start).value();
+  const std::int64_t to_boundary = (boundary - start).value() * length.value();
+  return from + Cycles{distance > 0 ? (to_boundary + distance - 1) / distance : to_boundary / distance + 1};
+}
+
 Cycles IncrementalEncoder::find_next_edge() const {
-  constexpr std::int64_t kHalf = kSubcountsPerCount / 2;
-  const std::int64_t here = count_.value() * kSubcountsPerCount;
-  const std::int64_t distance = (target_ - start_).value();
-  if (target_.value() >= here + kHalf) {
-    const std::int64_t to_boundary = (here + kHalf - start_.value()) * length_.value();
-    return from_ + Cycles{(to_boundary + distance - 1) / distance};
-  }
-  if (target_.value() < here - kHalf) {
-    const std::int64_t to_boundary = (start_.value() - (here - kHalf)) * length_.value();
-    return from_ + Cycles{to_boundary / -distance + 1};
-  }
-  return kNever;
+  const Subcounts above = to_subcounts(count_) + kHalfCount, below = to_subcounts(count_) - kHalfCount;
+  if (target() >= above) return motions_.present.crosses(above);
+  return target() < below ? motions_.present.crosses(below) : kNever;
 }
 
 void IncrementalEncoder::execute_edge() {
   const Cycles now = next_edge_;
   history_[edges_++ % kHistory] = {.cycle = now, .before = count_};
-  if (target_ > start_) {
-    count_ += Counts{1};
-    if (++turn_ == counts_per_rev_) turn_ = 0;
-  } else {
-    count_ -= Counts{1};
-    if (--turn_ < 0) turn_ = counts_per_rev_ - 1;
-  }
+  count_ += Counts{target() > start() ? 1 : -1};
   next_edge_ = find_next_edge();
   if (next_edge_ == now) {
     throw std::logic_error{fmt::format("encoder: more than one count in cycle {}", now.value())};
@@ -63,21 +50,19 @@ void IncrementalEncoder::execute_edge() {
 }
 
 double IncrementalEncoder::position(Cycles now) const {
-  const std::int64_t elapsed = std::min((now - from_).value(), length_.value());
-  const double moved = static_cast<double>((target_ - start_).value()) * static_cast<double>(elapsed) /
-                       static_cast<double>(length_.value());
-  return (static_cast<double>(start_.value()) + moved) / static_cast<double>(kSubcountsPerCount);
+  const Motion& motion = motions_.present;
+  const std::int64_t elapsed = std::min((now - motion.from).value(), motion.length.value());
+  const double moved = static_cast<double>((motion.target - motion.start).value()) * static_cast<double>(elapsed) /
+                       static_cast<double>(motion.length.value());
+  return (static_cast<double>(motion.start.value()) + moved) / static_cast<double>(kSubcountsPerCount);
 }
 
 CountRange IncrementalEncoder::counts_since(Cycles from) const {
   CountRange range{.min = count_, .max = count_};
-  const std::size_t known = std::min(edges_, kHistory);
-  for (std::size_t i = 1; i <= known; ++i) {
-    const Edge& edge = history_[(edges_ - i) % kHistory];
-    if (edge.cycle <= from) break;
-    range.min = std::min(range.min, edge.before);
-    range.max = std::max(range.max, edge.before);
-  }
+  edges_since(from, [&](Cycles, Counts before) {
+    range.min = std::min(range.min, before);
+    range.max = std::max(range.max, before);
+  });
   return range;
 }
 

@@ -40,24 +40,27 @@ class IncrementalEncoder {
   [[nodiscard]] std::optional<Cycles> edge_before(Cycles at) const;
   // Executes the edges that are left out up to the cycle `at`.
   void resume(Cycles at);
-  [[nodiscard]] Counts target_count() const { return nearest_count(target_); }
-  [[nodiscard]] Subcounts target() const { return target_; }
-  [[nodiscard]] Subcounts start() const { return start_; }
-  // What a tick changes.
+  [[nodiscard]] Counts target_count() const { return nearest_count(target()); }
+  [[nodiscard]] Subcounts target() const { return motions_.present.target; }
+  [[nodiscard]] Subcounts start() const { return motions_.present.start; }
+  // With constant speed. The position is start + (target - start) d / length, d cycles after `from`.
   struct Motion {
     Cycles from{};
     Cycles length{1};
     Subcounts start{};
     Subcounts target{};
+
+    // The cycle at which the count changes, at this boundary on the way: the first one with position >= boundary if the
+    // position rises, with position < boundary if it falls.
+    [[nodiscard]] Cycles crosses(Subcounts boundary) const;
   };
+  // What a tick changes.
   struct Motions {
     Motion present{}, before{};          // before: none unless it ended where the present one began
     Motion counted{}, counted_before{};  // the latest two in which the count changed
   };
-  [[nodiscard]] Motions motions() const {
-    return {{from_, length_, start_, target_}, before_, counted_, counted_before_};
-  }
-  void set_motions(const Motions& motions);
+  [[nodiscard]] const Motions& motions() const { return motions_; }
+  void set_motions(const Motions& motions) { motions_ = motions; }
   // The edges in the history after `from`, the latest one first: calls `use(cycle, count before it)`.
   template <class Use>
   void edges_since(Cycles from, Use use) const {
@@ -82,7 +85,7 @@ class IncrementalEncoder {
   [[nodiscard]] Counts count() const { return count_; }
   [[nodiscard]] bool a() const { return a(count_); }
   [[nodiscard]] bool b() const { return b(count_); }
-  [[nodiscard]] bool z() const { return turn_ == 0; }
+  [[nodiscard]] bool z() const { return z(count_); }
 
   // Shaft position at `now`, which is not before the present motion.
   [[nodiscard]] double position(Cycles now) const;  // [counts]
@@ -103,15 +106,9 @@ class IncrementalEncoder {
   [[nodiscard]] Cycles find_next_edge() const;
 
   std::int64_t counts_per_rev_;
-  Cycles from_{};
-  Cycles length_{1};
-  Subcounts start_{};
-  Subcounts target_{};
+  Motions motions_{};
   Counts count_{};
-  std::int64_t turn_ = 0;  // count modulo counts_per_rev
   Cycles next_edge_ = kNever;
-  Motion before_{};
-  Motion counted_{}, counted_before_{};
   std::array<Edge, kHistory> history_{};  // ring
   std::size_t edges_ = 0;                 // executed in all
 };

@@ -1,8 +1,8 @@
 #include "cosim/plant/independent_axes.hpp"
 
-#include <bit>
 #include <cstddef>
 
+#include "cosim/logic/axis_bits.hpp"
 #include "cosim/plant/counts_per_rev.hpp"
 
 namespace armature::cosim {
@@ -15,14 +15,13 @@ IndependentAxes::IndependentAxes(const RobotSpec& robot) {
 }
 
 std::uint8_t IndependentAxes::step(std::uint8_t axes, const PerAxis<MotorDemand>& demands, PerAxis<Shaft>& shafts) {
-  for (unsigned rest = axes; rest != 0; rest &= rest - 1) {
-    const auto axis = static_cast<std::size_t>(std::countr_zero(rest));
+  for_each_bit(axes, [&](std::size_t axis) {
     if (demands[axis].controlled) {
       motors_[axis].step(shafts[axis]);
     } else {
       motors_[axis].brake(shafts[axis]);
     }
-  }
+  });
   return axes;
 }
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -13,20 +12,6 @@
 
 namespace armature::cosim {
 namespace {
-
-constexpr std::uint8_t mask(std::size_t axis) {
-  return static_cast<std::uint8_t>(1u << axis);
-}
-
-void set_bit(std::uint8_t& word, std::size_t axis, bool level) {
-  word = static_cast<std::uint8_t>((word & ~mask(axis)) | (level ? mask(axis) : 0));
-}
-
-// Calls `action` with each axis whose bit is set.
-template <class Action>
-void for_each_axis(std::uint8_t bits, Action action) {
-  for (unsigned rest = bits; rest != 0; rest &= rest - 1) action(static_cast<std::size_t>(std::countr_zero(rest)));
-}
 
 constexpr Cycles next_grid_cycle(Cycles now) {
   return Cycles{(now.value() / kPlantStep.value() + 1) * kPlantStep.value()};
@@ -73,12 +58,11 @@ void Plant::drive_pins(Cycles now, const SocOutputs& out) {
   const auto changed =
       static_cast<std::uint8_t>((out.step ^ seen_.step) | (out.dir ^ seen_.dir) | (out.servo_on ^ seen_.servo_on));
   seen_ = out;
-  for_each_axis(changed, [&](std::size_t axis) {
+  for_each_bit(changed, [&](std::size_t axis) {
     ServoDrive& drive = drives_[axis];
-    const std::uint8_t bit = mask(axis);
-    drive.on_pins(now, (out.step & bit) != 0, (out.dir & bit) != 0, (out.servo_on & bit) != 0, shafts_[axis]);
+    drive.on_pins(now, has_bit(out.step, axis), has_bit(out.dir, axis), has_bit(out.servo_on, axis), shafts_[axis]);
     if (drive.violation() && !violation_) violation_ = drive.violation();
-    if (!drive.idle()) moving_ |= bit;
+    if (!drive.idle()) moving_ |= bit_of(axis);
   });
   if (moving_ != 0 && next_step_ == kNever) {
     next_step_ = next_grid_cycle(now);
@@ -125,16 +109,11 @@ void Plant::show_count(std::size_t axis) {
 }
 
 void Plant::step_axes(Cycles now) {
-  PerAxis<MotorDemand> demands;
-  for (std::size_t axis = 0; axis < kAxes; ++axis) demands[axis] = drives_[axis].demand();
-  for_each_axis(mechanics_->step(moving_, demands, shafts_), [&](std::size_t axis) {
-    ServoDrive& drive = drives_[axis];
-    drive.observe(shafts_[axis]);
-    encoders_[axis].move(now, kPlantStep, drive.position(shafts_[axis]));
+  step_mechanics([&](std::size_t axis, Subcounts position) {
+    encoders_[axis].move(now, kPlantStep, position);
     next_edge_[axis] = encoders_[axis].next_edge();
-    set_bit(inputs_.drive_alarm, axis, drive.alarm());
-    set_bit(inputs_.in_position, axis, drive.in_position());
-    set_bit(moving_, axis, !drive.idle());
+    set_bit(inputs_.drive_alarm, axis, drives_[axis].alarm());
+    set_bit(inputs_.in_position, axis, drives_[axis].in_position());
   });
   next_step_ = moving_ != 0 ? now + kPlantStep : kNever;
 }

@@ -14,6 +14,7 @@
 
 #include "controller/base/axes.hpp"
 #include "controller/base/units.hpp"
+#include "cosim/logic/axis_bits.hpp"
 #include "cosim/logic/pins.hpp"
 #include "cosim/logic/whole_tick.hpp"
 #include "cosim/plant/axis_switches.hpp"
@@ -106,6 +107,19 @@ class Plant {
   void drive_pins(Cycles now, const SocOutputs& out);
   void execute_edges(Cycles now);
   void show_count(std::size_t axis);
+  // One step of the mechanics: calls `move` with each axis and the position of its motor, which the encoder has not
+  // seen yet.
+  template <class Move>
+  void step_mechanics(Move move) {
+    PerAxis<MotorDemand> demands;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) demands[axis] = drives_[axis].demand();
+    for_each_bit(mechanics_->step(moving_, demands, shafts_), [&](std::size_t axis) {
+      ServoDrive& drive = drives_[axis];
+      drive.observe(shafts_[axis]);
+      move(axis, drive.position(shafts_[axis]));
+      set_bit(moving_, axis, !drive.idle());
+    });
+  }
   void step_axes(Cycles now);
   void find_next_event();
 

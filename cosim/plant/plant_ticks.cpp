@@ -1,6 +1,5 @@
 // Whole ticks of the plant. The same steps with the same arithmetic as with edges, so the same bits.
 #include <algorithm>
-#include <bit>
 #include <cstdlib>
 #include <utility>
 
@@ -94,32 +93,25 @@ bool Plant::take_pulses(const TickPulses& tick, Cycles until, PerAxis<std::int32
     const std::int32_t more = rises - std::exchange(taken[axis], rises);
     if (more == 0) continue;
     drives_[axis].take(pulses.count < 0 ? -more : more, shafts_[axis]);
-    moving_ = static_cast<std::uint8_t>(moving_ | 1u << axis);
+    moving_ |= bit_of(axis);
     any = true;
   }
   return any;
 }
 
 bool Plant::step_without_edges(Cycles now, Cycles spacing) {
-  PerAxis<MotorDemand> demands;
-  for (std::size_t axis = 0; axis < kAxes; ++axis) demands[axis] = drives_[axis].demand();
   bool fine = true;
-  for (unsigned rest = mechanics_->step(moving_, demands, shafts_); rest != 0; rest &= rest - 1) {
-    const auto axis = static_cast<std::size_t>(std::countr_zero(rest));
-    ServoDrive& drive = drives_[axis];
-    drive.observe(shafts_[axis]);
-    encoders_[axis].move_without_edges(now, kPlantStep, drive.position(shafts_[axis]));
+  step_mechanics([&](std::size_t axis, Subcounts position) {
+    encoders_[axis].move_without_edges(now, kPlantStep, position);
     const Counts from = nearest_count(encoders_[axis].start());
     fine = fine && has_levels_of_inputs(axis) && shows_no_more_than_lines(axis, from, now, spacing);
-    if (drive.idle()) moving_ = static_cast<std::uint8_t>(moving_ & ~(1u << axis));
-  }
+  });
   return fine;
 }
 
 bool Plant::has_levels_of_inputs(std::size_t axis) const {
-  const auto is_set = [axis](std::uint8_t pins) { return (pins >> axis & 1u) != 0; };
-  return drives_[axis].alarm() == is_set(inputs_.drive_alarm) &&
-         drives_[axis].in_position() == is_set(inputs_.in_position);
+  return drives_[axis].alarm() == has_bit(inputs_.drive_alarm, axis) &&
+         drives_[axis].in_position() == has_bit(inputs_.in_position, axis);
 }
 
 // From the count `from` to the end of the step that begins now, or that has begun before.
@@ -185,10 +177,9 @@ LineHistory Plant::line_history(Cycles from, Cycles now) const {
   const auto lines = [&] {
     EncoderLines levels;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
-      const auto bit = [axis](bool level) { return static_cast<std::uint8_t>(level ? 1u << axis : 0u); };
-      levels.a = static_cast<std::uint8_t>(levels.a | bit(encoders_[axis].a(counts[axis])));
-      levels.b = static_cast<std::uint8_t>(levels.b | bit(encoders_[axis].b(counts[axis])));
-      levels.z = static_cast<std::uint8_t>(levels.z | bit(encoders_[axis].z(counts[axis])));
+      set_bit(levels.a, axis, encoders_[axis].a(counts[axis]));
+      set_bit(levels.b, axis, encoders_[axis].b(counts[axis]));
+      set_bit(levels.z, axis, encoders_[axis].z(counts[axis]));
     }
     return levels;
   };
@@ -206,7 +197,7 @@ void Plant::resume_edges(Cycles now, const SocOutputs& out, const PerAxis<Cycles
   seen_.step = out.step;
   seen_.dir = out.dir;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    drives_[axis].resume_input((out.step >> axis & 1u) != 0, (out.dir >> axis & 1u) != 0, changed[axis], turned[axis]);
+    drives_[axis].resume_input(has_bit(out.step, axis), has_bit(out.dir, axis), changed[axis], turned[axis]);
     encoders_[axis].resume(now);
     next_edge_[axis] = encoders_[axis].next_edge();
     show_count(axis);

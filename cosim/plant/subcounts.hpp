@@ -13,9 +13,15 @@ using Subcounts = Quantity<struct SubcountsTag, std::int64_t>;
 inline constexpr int kSubcountBits = 24;
 inline constexpr std::int64_t kSubcountsPerCount = std::int64_t{1} << kSubcountBits;
 
+inline constexpr Subcounts kHalfCount{kSubcountsPerCount / 2};
+
+[[nodiscard]] constexpr Subcounts to_subcounts(Counts counts) {
+  return Subcounts{counts.value() * kSubcountsPerCount};
+}
+
 // The encoder's count at a position: floor(position + 1/2).
 [[nodiscard]] constexpr Counts nearest_count(Subcounts position) {
-  return Counts{(position.value() + kSubcountsPerCount / 2) >> kSubcountBits};
+  return Counts{(position + kHalfCount).value() >> kSubcountBits};
 }
 
 }  // namespace armature::cosim

@@ -22,10 +22,10 @@ class MotionPort {
  public:
   virtual ~MotionPort() = default;
 
-  // What the decoders need: a level must last longer than `spacing`, a trigger after the edge T copies the counts of
+  // What the decoders need: a level must last longer than `latency`, a trigger after the edge T copies the counts of
   // the edge T - `latency`, and LineHistory must have the last `history` edges.
   struct DecoderTimes {
-    Cycles latency{}, spacing{}, history{};
+    Cycles latency{}, history{};
   };
   [[nodiscard]] virtual DecoderTimes decoder_times() const = 0;
 

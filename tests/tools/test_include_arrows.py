@@ -108,7 +108,7 @@ COSIM = {
     "report": {"time", "text", "logic", "robot", "belt", "programs", "bus", "trace", "scenario", "golden"},
     "recording": {"text", "trace"},
     "plot": {"text", "recording"},
-    "page": {"text", "recording"},
+    "page": {"text", "trace", "recording", "report"},
     "kernel": {
         "time",
         "text",
@@ -160,6 +160,7 @@ MAX_SOURCES = 25  # of a folder of the product
 PLANT = {
     "controller/base/",
     "cosim/plant/",
+    "cosim/logic/axis_bits.hpp",
     "cosim/logic/pins.hpp",
     "cosim/logic/whole_tick.hpp",
     "cosim/robot/robot_spec.hpp",

@@ -1,20 +1,16 @@
 #include "cosim/model/encoder/encoder.hpp"
 
 #include <algorithm>
-#include <bit>
+#include <type_traits>
 
 #include "controller/regs/encoder_regs.hpp"
+#include "cosim/logic/axis_bits.hpp"
 
 namespace armature::cosim::model {
 namespace encoder_regs = armature::regs::encoder;
 namespace {
 
 constexpr Cycles kSynchroniserFills{2};
-
-template <class Action>
-void for_each(std::uint32_t axes, Action action) {
-  for (std::uint32_t rest = axes; rest != 0; rest &= rest - 1) action(static_cast<std::size_t>(std::countr_zero(rest)));
-}
 
 void add_saturating(std::uint16_t& counter, std::uint32_t more) {
   counter = static_cast<std::uint16_t>(std::min<std::uint32_t>(counter + more, 0xFFFF));
@@ -109,30 +105,33 @@ void Encoder<kDecoders>::snapshot(std::uint32_t time) {
 
 template <std::size_t kDecoders>
 void Encoder<kDecoders>::count_errors(std::uint32_t illegal) {
-  for_each(illegal, [this](std::size_t axis) { add_saturating(axes_[axis].illegal, 1); });
-  for_each(filter_.glitches(), [this](std::size_t line) { add_saturating(axes_[line % kDecoders].glitches, 1); });
+  for_each_bit(illegal, [this](std::size_t axis) { add_saturating(axes_[axis].illegal, 1); });
+  for_each_bit(filter_.glitches(), [this](std::size_t line) { add_saturating(axes_[line % kDecoders].glitches, 1); });
 }
 
 template <std::size_t kDecoders>
 void Encoder<kDecoders>::count(const Steps& steps, std::uint32_t time) {
-  for_each(steps.up | steps.down, [&](std::size_t axis) {
-    axes_[axis].position += (steps.up >> axis & 1u) != 0 ? 1u : ~0u;
+  for_each_bit(steps.up | steps.down, [&](std::size_t axis) {
+    axes_[axis].position += has_bit(steps.up, axis) ? 1u : ~0u;
     axes_[axis].counted_at = time;
   });
 }
 
 // Two successive positions are equal or one revolution apart.
 template <std::size_t kDecoders>
+bool Encoder<kDecoders>::fits_index(std::size_t axis, std::uint32_t position) const {
+  const std::uint32_t moved = position - axes_[axis].index_position, turn = counts_per_rev_[axis];
+  return moved == 0 || moved == turn || moved == 0u - turn;
+}
+
+template <std::size_t kDecoders>
 std::uint32_t Encoder<kDecoders>::latch_index(const Steps& steps) {
   std::uint32_t mismatch = 0;
-  for_each(index_, [&](std::size_t i) {
-    Axis& axis = axes_[i];
+  for_each_bit(index_, [&](std::size_t i) {
     const std::uint32_t step = (steps.up >> i & 1u) - (steps.down >> i & 1u);
-    const std::uint32_t position = axis.position + step;
-    const std::uint32_t moved = position - axis.index_position;
-    const std::uint32_t turn = counts_per_rev_[i];
-    if (moved != 0 && moved != turn && moved != 0u - turn) mismatch |= 1u << i;
-    axis.index_position = position;
+    const std::uint32_t position = axes_[i].position + step;
+    if (!fits_index(i, position)) mismatch |= 1u << i;
+    axes_[i].index_position = position;
   });
   mismatch &= index_check_ & seen_;
   seen_ |= index_;
@@ -151,27 +150,17 @@ void Encoder<kDecoders>::set_faults(std::uint32_t illegal, std::uint32_t index, 
 template <std::size_t kDecoders>
 Answer Encoder<kDecoders>::read(std::uint32_t offset) const {
   using armature::regs::insert;
-  const auto index = [offset](std::uint32_t first) { return (offset - first) / 4; };
-  const auto is_in = [&](std::uint32_t first) { return offset >= first && index(first) < kAxes; };
-  const auto of_decoder = [&](std::uint32_t first, auto value) {
-    const std::size_t i = index(first);
-    return Answer{.rdata = i < kDecoders ? static_cast<std::uint32_t>(value(i)) : 0u};
+  // What an axis without a decoder measures is 0.
+  const auto of = [](const auto& decoders, std::size_t axis) {
+    return axis < kDecoders ? decoders[axis] : typename std::remove_cvref_t<decltype(decoders)>::value_type{};
   };
-  if (is_in(encoder_regs::kPositionOffset))
-    return of_decoder(encoder_regs::kPositionOffset, [this](auto i) { return positions_[i]; });
-  if (is_in(encoder_regs::kEdgeTimeOffset))
-    return of_decoder(encoder_regs::kEdgeTimeOffset, [this](auto i) { return edge_times_[i]; });
-  if (is_in(encoder_regs::kIndexPositionOffset)) {
-    return of_decoder(encoder_regs::kIndexPositionOffset, [this](auto i) { return axes_[i].index_position; });
-  }
-  if (is_in(encoder_regs::kCountsPerRevOffset))
-    return {.rdata = counts_per_rev_[index(encoder_regs::kCountsPerRevOffset)]};
-  if (is_in(encoder_regs::kIllegalCountOffset)) {
-    return of_decoder(encoder_regs::kIllegalCountOffset, [this](auto i) { return axes_[i].illegal; });
-  }
-  if (is_in(encoder_regs::kGlitchCountOffset)) {
-    return of_decoder(encoder_regs::kGlitchCountOffset, [this](auto i) { return axes_[i].glitches; });
-  }
+  if (const auto i = element_at(offset, encoder_regs::kPositionOffset)) return {.rdata = of(positions_, *i)};
+  if (const auto i = element_at(offset, encoder_regs::kEdgeTimeOffset)) return {.rdata = of(edge_times_, *i)};
+  if (const auto i = element_at(offset, encoder_regs::kIndexPositionOffset))
+    return {.rdata = of(axes_, *i).index_position};
+  if (const auto i = element_at(offset, encoder_regs::kCountsPerRevOffset)) return {.rdata = counts_per_rev_[*i]};
+  if (const auto i = element_at(offset, encoder_regs::kIllegalCountOffset)) return {.rdata = of(axes_, *i).illegal};
+  if (const auto i = element_at(offset, encoder_regs::kGlitchCountOffset)) return {.rdata = of(axes_, *i).glitches};
   switch (offset) {
     case encoder_regs::kIdOffset:
       return {.rdata = insert(encoder_regs::kIdWord, encoder_regs::kIdAxes, kDecoders)};
@@ -193,7 +182,7 @@ Answer Encoder<kDecoders>::read(std::uint32_t offset) const {
       return {.rdata = unlocked_};
     case encoder_regs::kFaultTimeOffset:
     case encoder_regs::kFaultTimeOffset + encoder_regs::kFaultTimeStride:
-      return {.rdata = fault_times_[index(encoder_regs::kFaultTimeOffset)]};
+      return {.rdata = fault_times_[(offset - encoder_regs::kFaultTimeOffset) / 4]};
     default:
       return kUnmappedRead;
   }
@@ -202,8 +191,8 @@ Answer Encoder<kDecoders>::read(std::uint32_t offset) const {
 template <std::size_t kDecoders>
 bool Encoder<kDecoders>::write(const Strobes& access, bool locked) {
   const std::uint32_t offset = word_offset(access.waddr);
-  if (offset >= encoder_regs::kCountsPerRevOffset && offset < encoder_regs::kCountsPerRevOffset + 4 * kAxes) {
-    std::uint32_t& counts = counts_per_rev_[(offset - encoder_regs::kCountsPerRevOffset) / 4];
+  if (const auto axis = element_at(offset, encoder_regs::kCountsPerRevOffset)) {
+    std::uint32_t& counts = counts_per_rev_[*axis];
     counts = merged(counts, access) & encoder_regs::kCountsPerRevValueMask;
     return false;
   }

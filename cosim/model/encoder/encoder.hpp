@@ -38,10 +38,8 @@ class Encoder {
   // ---- whole ticks: the edges at which only the lines act are left out
 
   // Cycles from a change of the lines to the position that the edge after a trigger copies: with a trigger after the
-  // edge T, that of T minus this.
+  // edge T, that of T minus this. Changes of the lines of an axis must be further apart than this.
   [[nodiscard]] Cycles latency() const { return kPath + filter_time(); }
-  // Changes of the lines of an axis must be further apart than this.
-  [[nodiscard]] Cycles spacing() const { return kPath + filter_time(); }
   // Number of edges of LineHistory that continue_after() needs.
   [[nodiscard]] Cycles history() const { return latency() + kPath + Cycles{1}; }
 
@@ -55,7 +53,9 @@ class Encoder {
   void continue_after(Cycles at, const LineHistory& history, bool begun);
   // An edge of the lines that was left out, with their levels before it; and the next one.
   void line_edge(Cycles at, const EncoderLines& lines);
-  [[nodiscard]] Cycles lines_wake_at(Cycles at, const EncoderLines& lines) const;
+  [[nodiscard]] Cycles lines_wake_at(Cycles at, const EncoderLines& levels) const {
+    return lines_wake(at, lines(levels));
+  }
   [[nodiscard]] static bool write_disturbs(std::uint32_t offset);
   [[nodiscard]] static bool read_disturbs(std::uint32_t offset);
 
@@ -106,6 +106,7 @@ class Encoder {
   [[nodiscard]] Steps steps() const;
   void snapshot(std::uint32_t time);
   void count_errors(std::uint32_t illegal);
+  [[nodiscard]] bool fits_index(std::size_t axis, std::uint32_t position) const;
   [[nodiscard]] std::uint32_t latch_index(const Steps& steps);  // returns the axes with a mismatch
   void count(const Steps& steps, std::uint32_t time);
   void set_faults(std::uint32_t illegal, std::uint32_t index, std::uint32_t cleared, std::uint32_t time);

@@ -36,8 +36,7 @@ template <std::size_t kDecoders>
 bool Encoder<kDecoders>::expect(const PerAxis<Counts>& counts, const PerAxis<std::optional<Counts>>& index) {
   for (std::size_t i = 0; i < kDecoders; ++i) {
     if (!index[i] || (index_check_ & seen_ & 1u << i) == 0) continue;
-    const std::uint32_t moved = as_register(*index[i]) + offsets_[i] - axes_[i].index_position;
-    if (moved != 0 && moved != counts_per_rev_[i] && moved != 0u - counts_per_rev_[i]) return false;
+    if (!fits_index(i, as_register(*index[i]) + offsets_[i])) return false;
   }
   for (std::size_t i = 0; i < kDecoders; ++i) {
     expected_[i] = as_register(counts[i]) + offsets_[i];
@@ -98,11 +97,6 @@ void Encoder<kDecoders>::line_edge(Cycles at, const EncoderLines& levels) {
 }
 
 template <std::size_t kDecoders>
-Cycles Encoder<kDecoders>::lines_wake_at(Cycles at, const EncoderLines& levels) const {
-  return lines_wake(at, lines(levels));
-}
-
-template <std::size_t kDecoders>
 bool Encoder<kDecoders>::write_disturbs(std::uint32_t offset) {
   return offset != armature::regs::encoder::kFaultOffset && offset != armature::regs::encoder::kKeyOffset;
 }
@@ -110,8 +104,7 @@ bool Encoder<kDecoders>::write_disturbs(std::uint32_t offset) {
 template <std::size_t kDecoders>
 bool Encoder<kDecoders>::read_disturbs(std::uint32_t offset) {
   namespace encoder_regs = armature::regs::encoder;
-  const auto is_in = [offset](std::uint32_t first) { return offset >= first && offset < first + 4 * kAxes; };
-  return !is_in(encoder_regs::kPositionOffset) && offset != encoder_regs::kFaultOffset &&
+  return !element_at(offset, encoder_regs::kPositionOffset) && offset != encoder_regs::kFaultOffset &&
          offset != encoder_regs::kIdOffset && offset != encoder_regs::kKnownOffset;
 }
 
@@ -121,7 +114,6 @@ template bool Encoder<6>::expect(const PerAxis<Counts>&, const PerAxis<std::opti
 template void Encoder<6>::continue_after(Cycles, const LineHistory&, bool);
 template void Encoder<6>::replay(const LineHistory&, Cycles);
 template void Encoder<6>::line_edge(Cycles, const EncoderLines&);
-template Cycles Encoder<6>::lines_wake_at(Cycles, const EncoderLines&) const;
 template bool Encoder<6>::write_disturbs(std::uint32_t);
 template bool Encoder<6>::read_disturbs(std::uint32_t);
 

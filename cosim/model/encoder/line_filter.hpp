@@ -7,10 +7,10 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 
+#include "cosim/logic/axis_bits.hpp"
 #include "cosim/model/block.hpp"
 
 namespace armature::cosim::model {
@@ -30,9 +30,8 @@ class LineFilter {
   void edge(Cycles at, Word samples, const Settings& settings) {
     glitches_ = 0;
     if (known_ != kAll) learn(at, samples, settings);
-    for (Word rest = ((samples ^ level_) | counting_) & known_before_; rest != 0; rest &= rest - 1) {
-      step(at, static_cast<std::size_t>(std::countr_zero(rest)), samples, settings);
-    }
+    for_each_bit(((samples ^ level_) | counting_) & known_before_,
+                 [&](std::size_t line) { step(at, line, samples, settings); });
     known_before_ = known_;
     differs_ = (samples ^ level_) & kAll;
   }
@@ -50,14 +49,11 @@ class LineFilter {
   [[nodiscard]] bool equals(const LineFilter& other, Cycles at) const {
     const auto count = [at](const LineFilter& filter, std::size_t line) {
       const std::int64_t passed = (at - filter.counts_[line].at).value();
-      return filter.counts_[line].value + ((filter.differs_ >> line & 1u) != 0 ? passed : -passed);
+      return filter.counts_[line].value + (has_bit(filter.differs_, line) ? passed : -passed);
     };
     bool equal = level_ == other.level_ && known_ == other.known_ && known_before_ == other.known_before_ &&
                  differs_ == other.differs_ && counting_ == other.counting_ && glitches_ == other.glitches_;
-    for (Word rest = counting_; equal && rest != 0; rest &= rest - 1) {
-      const auto line = static_cast<std::size_t>(std::countr_zero(rest));
-      equal = count(*this, line) == count(other, line);
-    }
+    for_each_bit(counting_, [&](std::size_t line) { equal = equal && count(*this, line) == count(other, line); });
     return equal;
   }
 
@@ -65,14 +61,13 @@ class LineFilter {
   [[nodiscard]] Cycles wakes_at(Cycles at, const Settings& settings) const {
     if (known_ != kAll || glitches_ != 0) return at + Cycles{1};
     Cycles wake = kNever;
-    for (Word rest = (differs_ | counting_) & kAll; rest != 0; rest &= rest - 1) {
-      const auto line = static_cast<std::size_t>(std::countr_zero(rest));
-      const bool up = (differs_ >> line & 1u) != 0;
+    for_each_bit((differs_ | counting_) & kAll, [&](std::size_t line) {
+      const bool up = has_bit(differs_, line);
       const std::int64_t edges = up ? 1 + std::max<std::int64_t>(last(settings) - counts_[line].value, 0)
                                  : settings.up_down ? counts_[line].value
                                                     : 1;
       wake = std::min(wake, at + Cycles{std::max<std::int64_t>(edges - (at - counts_[line].at).value(), 1)});
-    }
+    });
     return wake;
   }
 
@@ -112,8 +107,7 @@ class LineFilter {
 
   // After reset: the first level that lasts is adopted. Computed at every edge.
   void learn(Cycles at, Word samples, const Settings& settings) {
-    for (Word rest = ~known_ & kAll; rest != 0; rest &= rest - 1) {
-      const auto line = static_cast<std::size_t>(std::countr_zero(rest));
+    for_each_bit(~known_ & kAll, [&](std::size_t line) {
       const Word bit = Word{1} << line;
       std::int64_t count = counts_[line].value;
       if (((samples ^ level_) & bit) == 0) {
@@ -127,7 +121,7 @@ class LineFilter {
         count = 0;
       }
       store(line, count, at);
-    }
+    });
   }
 
   void store(std::size_t line, std::int64_t count, Cycles at) {

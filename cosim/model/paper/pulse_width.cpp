@@ -77,10 +77,8 @@ void PulseWidth::find_wake(Cycles at, const PulseInputs& in) {
 
 Answer PulseWidth::read(Cycles at, std::uint32_t offset) const {
   using armature::regs::insert;
-  const auto element = [offset](std::uint32_t first) { return (offset - first) / 4; };
-  const auto is_in = [&](std::uint32_t first) { return offset >= first && element(first) < kAxes; };
-  if (is_in(width_regs::kWidthOffset)) return {.rdata = widths_[element(width_regs::kWidthOffset)]};
-  if (is_in(width_regs::kEmittedOffset)) return {.rdata = emitted_[element(width_regs::kEmittedOffset)]};
+  if (const auto axis = element_at(offset, width_regs::kWidthOffset)) return {.rdata = widths_[*axis]};
+  if (const auto axis = element_at(offset, width_regs::kEmittedOffset)) return {.rdata = emitted_[*axis]};
   const ArmPins& pins = pins_.ago(2);
   const auto word = [](auto... fields) { return Answer{.rdata = (0u | ... | fields)}; };
   switch (offset) {
@@ -114,10 +112,9 @@ Answer PulseWidth::read(Cycles at, std::uint32_t offset) const {
 bool PulseWidth::write(const Strobes& access) {
   const std::uint32_t offset = word_offset(access.waddr);
   const std::uint32_t ones = merged(0, access);  // bits that are written as 1
-  if (offset >= width_regs::kWidthOffset && offset < width_regs::kWidthOffset + 4 * kAxes) {
-    const std::uint32_t axis = (offset - width_regs::kWidthOffset) / 4;
-    widths_[axis] = merged(widths_[axis], access);
-    if (access.wstrb != 0) written_ = static_cast<std::uint8_t>(1u << axis);
+  if (const auto axis = element_at(offset, width_regs::kWidthOffset)) {
+    widths_[*axis] = merged(widths_[*axis], access);
+    if (access.wstrb != 0) written_ = static_cast<std::uint8_t>(1u << *axis);
     return false;
   }
   switch (offset) {

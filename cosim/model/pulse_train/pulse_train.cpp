@@ -162,18 +162,15 @@ void PulseTrain::generator_edge(Cycles at) {
 }
 
 bool PulseTrain::write_disturbs(std::uint32_t offset) {
-  const bool count = offset >= train_regs::kCountOffset && offset < train_regs::kCountOffset + 4 * kAxes;
-  return !count && offset != train_regs::kCommitOffset && offset != train_regs::kFaultOffset &&
-         offset != train_regs::kKeyOffset;
+  return !element_at(offset, train_regs::kCountOffset) && offset != train_regs::kCommitOffset &&
+         offset != train_regs::kFaultOffset && offset != train_regs::kKeyOffset;
 }
 
 Answer PulseTrain::read(Cycles at, std::uint32_t offset) const {
-  const auto element = [offset](std::uint32_t first) { return (offset - first) / 4; };
-  const auto is_in = [&](std::uint32_t first) { return offset >= first && element(first) < kAxes; };
-  if (is_in(train_regs::kCountOffset)) return {.rdata = staged_[element(train_regs::kCountOffset)]};
-  if (is_in(train_regs::kEmittedOffset)) return {.rdata = emitted_[element(train_regs::kEmittedOffset)]};
-  if (is_in(train_regs::kResidualOffset)) return {.rdata = residuals_[element(train_regs::kResidualOffset)]};
-  if (is_in(train_regs::kFaultTimeOffset)) return {.rdata = faults_.time(element(train_regs::kFaultTimeOffset))};
+  if (const auto i = element_at(offset, train_regs::kCountOffset)) return {.rdata = staged_[*i]};
+  if (const auto i = element_at(offset, train_regs::kEmittedOffset)) return {.rdata = emitted_[*i]};
+  if (const auto i = element_at(offset, train_regs::kResidualOffset)) return {.rdata = residuals_[*i]};
+  if (const auto i = element_at(offset, train_regs::kFaultTimeOffset)) return {.rdata = faults_.time(*i)};
   const ArmPins& pins = pins_.ago(2);
   const auto word = [](auto... fields) { return Answer{.rdata = (0u | ... | fields)}; };
   using armature::regs::insert;
@@ -224,8 +221,8 @@ Answer PulseTrain::read(Cycles at, std::uint32_t offset) const {
 bool PulseTrain::write(const Strobes& access) {
   const std::uint32_t offset = word_offset(access.waddr);
   const bool locked = servo_pins_ != 0 && !unlocked_;
-  if (offset >= train_regs::kCountOffset && offset < train_regs::kCountOffset + 4 * kAxes) {
-    std::uint16_t& staged = staged_[(offset - train_regs::kCountOffset) / 4];
+  if (const auto axis = element_at(offset, train_regs::kCountOffset)) {
+    std::uint16_t& staged = staged_[*axis];
     staged = static_cast<std::uint16_t>(merged(staged, access));
     return false;
   }

@@ -134,10 +134,6 @@ class ConservationBench {
   PerAxis<std::int64_t> emitted_at_trigger{};
 
  private:
-  static void set_bit(std::uint8_t& word, std::size_t axis, bool level) {
-    word = static_cast<std::uint8_t>(level ? word | (1u << axis) : word & ~(1u << axis));
-  }
-
   void next_cycle() {
     now_ += Cycles{1};
     const SocOutputs before = out_;
