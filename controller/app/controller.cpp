@@ -36,15 +36,16 @@ Controller::Controller(host_memory::HostMemory& memory) noexcept
                 .base_T_user = boot_.config().base_T_user,
                 .max_stretch = boot_.config().max_stretch,
                 .conveyor = boot_.config().conveyor},
-      arm_{boot_.robot()},
+      core0_arm_{boot_.robot()},
+      core1_arm_{boot_.robot()},
       core0_writer_{memory},
       core1_writer_{memory},
       belt_{memory},
       receiver_{memory, inboxes_},
       core1_{channel_, core1_writer_},
-      dispatcher_{boot_.robot(), arm_, planning_, inboxes_, channel_, tool_, core1_},
+      dispatcher_{boot_.robot(), core1_arm_, planning_, inboxes_, channel_, tool_, core1_},
       store_{{.robot = boot_.robot(),
-              .arm = arm_,
+              .arm = core1_arm_,
               .flange_T_tool = planning_.flange_T_tool,
               .base_T_user = planning_.base_T_user},
              boot_.config().job,
@@ -56,8 +57,8 @@ Controller::Controller(host_memory::HostMemory& memory) noexcept
   core1_.add(dispatcher_);
   core1_.add(Interrupts::kGpio, tool_);
   if (!boot_.config().pendant) return;
-  pendant_.emplace(*boot_.config().pendant, boot_.robot(), arm_, planning_, channel_.loop.position, dispatcher_.owner(),
-                   inbox_of(inboxes_, Source::kPendant), store_, program_);
+  pendant_.emplace(*boot_.config().pendant, boot_.robot(), core1_arm_, planning_, channel_.loop.position,
+                   dispatcher_.owner(), inbox_of(inboxes_, Source::kPendant), store_, program_);
   core1_.add(*pendant_);
   core1_.add(Interrupts::kUart, pendant_->line());
 }
@@ -72,15 +73,16 @@ void Controller::load_program() noexcept {
   program_.resume_pauses_after(boot_.config().program_resumes_after);
 }
 
-void Controller::core0_main(RegisterBus& bus) noexcept {
+void Controller::core0_main(RegisterBus& bus, InverseSolver* solver) noexcept {
   if (!boot_.good()) return sleep_for_ever(bus);
+  core0_arm_.solve_with(solver);
   const RobotModel& robot = boot_.robot();
   const ControllerConfig& config = boot_.config();
   Core0Reporter reporter{core0_writer_, channel_, bus};
   const ConveyorConfig* conveyor = planning_.conveyor ? &*planning_.conveyor : nullptr;
   const auto run_on = [&](LogicPort& logic) {
     if (pendant_) logic.keep_drives_off();
-    SourceSelector source{robot, arm_, planning_.flange_T_tool, channel_, reporter, logic, conveyor, &belt_};
+    SourceSelector source{robot, core0_arm_, planning_.flange_T_tool, channel_, reporter, logic, conveyor, &belt_};
     const bool feedback = config.feedback && !config.paper;
     MotionLoop{robot, feedback, logic, bus, channel_.loop, source, reporter, config.referenced}.run();
   };
@@ -93,8 +95,9 @@ void Controller::core0_main(RegisterBus& bus) noexcept {
   }
 }
 
-void Controller::core1_main(RegisterBus& bus) noexcept {
+void Controller::core1_main(RegisterBus& bus, InverseSolver* solver) noexcept {
   if (!boot_.good()) return sleep_for_ever(bus);
+  core1_arm_.solve_with(solver);
   core1_.run(bus);
 }
 

@@ -17,6 +17,7 @@
 #include "controller/host_memory/controller_side.hpp"
 #include "controller/host_memory/memory.hpp"
 #include "controller/kinematics/arm.hpp"
+#include "controller/kinematics/inverse_solver.hpp"
 #include "controller/language/program/program_client.hpp"
 #include "controller/language/store/program_store.hpp"
 #include "controller/message/inbox.hpp"
@@ -34,9 +35,9 @@ class Controller {
   Controller& operator=(const Controller&) = delete;
 
   // The mains of the two cores. Each is called once, on its own core. It returns only when wait_for_interrupt returns
-  // kNone.
-  void core0_main(RegisterBus& bus) noexcept;
-  void core1_main(RegisterBus& bus) noexcept;
+  // kNone. `solver`: solves the inverse kinematics of that core; null: software does.
+  void core0_main(RegisterBus& bus, InverseSolver* solver = nullptr) noexcept;
+  void core1_main(RegisterBus& bus, InverseSolver* solver = nullptr) noexcept;
 
   [[nodiscard]] const ProgramClient& program() const noexcept { return program_; }
   // For orders; only while core 1 does not run.
@@ -47,7 +48,7 @@ class Controller {
 
   host_memory::BootReader boot_;
   PlanningConfig planning_;
-  Arm arm_;
+  Arm core0_arm_, core1_arm_;
   host_memory::Core0Writer core0_writer_;
   host_memory::Core1Writer core1_writer_;
   host_memory::BeltReader belt_;

@@ -1,6 +1,7 @@
 #include "controller/kinematics/arm.hpp"
 
 #include <algorithm>
+#include <type_traits>
 
 #include "controller/base/math.hpp"
 #include "controller/kinematics/turns.hpp"
@@ -72,9 +73,12 @@ Transform Arm::forward(const JointAngles& joints) const noexcept {
 IkSolutions Arm::inverse(const Transform& base_T_flange, const JointAngles& previous,
                          const Configuration& wanted) const noexcept {
   IkSolutions solutions;
-  const RawSolutions raw =
-      dispatch([] { return RawSolutions{.status = IkStatus::kInvalidInput}; },
-               [&](const auto& family) { return family.inverse(base_T_flange, to_theta(previous)); });
+  const RawSolutions raw = dispatch([] { return RawSolutions{.status = IkStatus::kInvalidInput}; },
+                                    [&](const auto& family) {
+                                      const Theta theta = to_theta(previous);
+                                      if (solver_ != nullptr) return solver_->inverse(base_T_flange, theta);
+                                      return family.inverse(base_T_flange, theta);
+                                    });
   solutions.status = raw.status;
   solutions.margin_mm = raw.margin_mm;
   solutions.residual_rad = raw.residual_rad;
@@ -150,10 +154,7 @@ Configuration Arm::configuration(const JointAngles& joints) const noexcept {
 }
 
 IkTracking Arm::track(const Transform& base_T_flange, const JointAngles& previous) const noexcept {
-  const auto from = [&](const Theta& theta) {
-    return within_limits(dispatch([] { return RawTracking{.status = IkStatus::kInvalidInput}; },
-                                  [&](const auto& family) { return family.track(base_T_flange, theta); }));
-  };
+  const auto from = [&](const Theta& theta) { return track(base_T_flange, theta, SixR::kTrackingWristZone); };
   const Theta theta = to_theta(previous);
   const IkTracking tracking = from(theta);
   if (tracking.status != IkStatus::kOutsideLimits || manipulability(previous).elbow >= kStretched) return tracking;
@@ -166,23 +167,36 @@ IkTracking Arm::track(const Transform& base_T_flange, const JointAngles& previou
   return tracking;
 }
 
+IkTracking Arm::track(const Transform& base_T_flange, const Theta& previous, double wrist_zone,
+                      bool keep_elbow) const noexcept {
+  return within_limits(dispatch([] { return RawTracking{.status = IkStatus::kInvalidInput}; },
+                                [&]<class Family>(const Family& family) {
+                                  if (solver_ != nullptr)
+                                    return solver_->track(base_T_flange, previous, wrist_zone, keep_elbow);
+                                  if constexpr (std::is_same_v<Family, SixR>)
+                                    return family.track(base_T_flange, previous, wrist_zone, keep_elbow);
+                                  else
+                                    return family.track(base_T_flange, previous);
+                                }));
+}
+
 IkTracking Arm::track_keeping_elbow(const Transform& base_T_flange, const JointAngles& previous) const noexcept {
-  const auto* six_r = std::get_if<SixR>(&family_);
-  if (six_r == nullptr) return track(base_T_flange, previous);
-  return within_limits(six_r->track(base_T_flange, to_theta(previous), SixR::kTrackingWristZone, true));
+  if (!std::holds_alternative<SixR>(family_)) return track(base_T_flange, previous);
+  return track(base_T_flange, to_theta(previous), SixR::kTrackingWristZone, true);
 }
 
 IkTracking Arm::track_keeping_theta4(const Transform& base_T_flange, const JointAngles& previous) const noexcept {
-  const auto* six_r = std::get_if<SixR>(&family_);
-  if (six_r == nullptr) return track(base_T_flange, previous);
-  return within_limits(six_r->track(base_T_flange, to_theta(previous), SixR::kKeepTheta4));
+  if (!std::holds_alternative<SixR>(family_)) return track(base_T_flange, previous);
+  return track(base_T_flange, to_theta(previous), SixR::kKeepTheta4);
 }
 
 IkTracking Arm::track_point(const Eigen::Vector3d& point_mm, const Eigen::Vector3d& flange_p_mm,
                             const JointAngles& previous) const noexcept {
   const auto* six_r = std::get_if<SixR>(&family_);
   if (six_r == nullptr) return {.status = IkStatus::kInvalidInput};
-  return within_limits(six_r->track_point(point_mm, flange_p_mm, to_theta(previous)));
+  const Theta theta = to_theta(previous);
+  return within_limits(solver_ != nullptr ? solver_->track_point(point_mm, flange_p_mm, theta)
+                                          : six_r->track_point(point_mm, flange_p_mm, theta));
 }
 
 Eigen::Vector2d Arm::approach_in_forearm(const JointAngles& joints) const noexcept {

@@ -2,7 +2,7 @@
 //
 // Poses are those of the flange in the base frame of the Denavit-Hartenberg model, in mm; joint angles are the
 // vendor's. Vo 2021 eq. (24)-(45) and Hu 2012 eq. (1)-(15), corrected; six_r.hpp and five_r.hpp say where the prints
-// are wrong. No heap, no exceptions; const, so both cores may use one object.
+// are wrong. No heap, no exceptions. Its functions are const, so both cores may use one object without a solver.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,6 +12,7 @@
 #include "controller/kinematics/configuration.hpp"
 #include "controller/kinematics/five_r.hpp"
 #include "controller/kinematics/ik_result.hpp"
+#include "controller/kinematics/inverse_solver.hpp"
 #include "controller/kinematics/jacobian.hpp"
 #include "controller/kinematics/raw_solutions.hpp"
 #include "controller/kinematics/six_r.hpp"
@@ -26,6 +27,10 @@ class Arm {
   // a meaning: forward() returns the identity, inverse() and track() return kInvalidInput, jacobian() returns 0.
   explicit Arm(const RobotModel& robot) noexcept;
 
+  // From now on `solver` solves the closed forms of inverse(), soonest() and the track functions; null: software does.
+  // It must outlive the arm or be taken back.
+  void solve_with(InverseSolver* solver) noexcept { solver_ = solver; }
+
   [[nodiscard]] bool known() const noexcept { return family_.index() != 0; }
 
   // base_T_flange. Joints within kLargestTheta_rad; the result is not finite far beyond.
@@ -38,9 +43,9 @@ class Arm {
   [[nodiscard]] IkSolutions inverse(const Transform& base_T_flange, const JointAngles& previous,
                                     const Configuration& wanted = {}) const noexcept;
 
-  // The selected branch of inverse() alone, bit for bit, with its status: in less than half the time, because the
-  // wrists of arms whose joints 1 to 3 already take longer than another branch are not computed. `found` when it is
-  // solved.
+  // The selected branch of inverse() alone, bit for bit, with its status: in software in less than half the time,
+  // because the wrists of arms whose joints 1 to 3 already take longer than another branch are not computed. `found`
+  // when it is solved.
   [[nodiscard]] IkTracking soonest(const Transform& base_T_flange, const JointAngles& previous,
                                    const Configuration& wanted = {}) const noexcept;
 
@@ -100,6 +105,8 @@ class Arm {
  private:
   [[nodiscard]] IkTracking soonest_of(const SixR& six_r, const Transform& base_T_flange,
                                       const JointAngles& previous) const noexcept;
+  [[nodiscard]] IkTracking track(const Transform& base_T_flange, const Theta& previous, double wrist_zone,
+                                 bool keep_elbow = false) const noexcept;
   [[nodiscard]] IkTracking within_limits(const RawTracking& raw) const noexcept;
   [[nodiscard]] PerAxis<JointRange> ranges_with(const Turns& turns) const noexcept;
   // The result of `call` for the family of this arm; that of `none` without a geometry.
@@ -112,6 +119,7 @@ class Arm {
   ArmGeometry geometry_;
   PerAxis<JointRange> ranges_;
   std::variant<std::monostate, SixR, FiveR> family_;  // monostate: kNone
+  InverseSolver* solver_ = nullptr;
 };
 
 }  // namespace armature

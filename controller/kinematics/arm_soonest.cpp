@@ -165,7 +165,8 @@ IkTracking Arm::soonest_of(const SixR& six_r, const Transform& base_T_flange,
 
 IkTracking Arm::soonest(const Transform& base_T_flange, const JointAngles& previous,
                         const Configuration& wanted) const noexcept {
-  if (const auto* six_r = std::get_if<SixR>(&family_); six_r != nullptr && requested_parts(wanted) == 0) {
+  const auto* six_r = std::get_if<SixR>(&family_);
+  if (six_r != nullptr && solver_ == nullptr && requested_parts(wanted) == 0) {
     const IkTracking found = soonest_of(*six_r, base_T_flange, previous);
     if (found.found) return found;
   }
