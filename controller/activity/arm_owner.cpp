@@ -65,7 +65,7 @@ void ArmOwner::await_rest(StopKind how) noexcept {
 }
 
 std::optional<MoveRefused> ArmOwner::accept(const ClearFault& clear) noexcept {
-  if (phase_ == Phase::kUnusable) return MoveRefused{.reason = Refusal::kNotReady};
+  if (phase_ == Phase::kUnusable) return refused(Refusal::kNotReady);
   if (phase_ != Phase::kFault) return std::nullopt;
   clear_tag_ = clear.tag;
   order(Request::Kind::kClearFault);
@@ -73,7 +73,7 @@ std::optional<MoveRefused> ArmOwner::accept(const ClearFault& clear) noexcept {
 }
 
 std::optional<MoveRefused> ArmOwner::accept(const SwitchOff&) noexcept {
-  if (!rest()) return MoveRefused{.reason = Refusal::kNotReady};
+  if (!rest()) return refused(Refusal::kNotReady);
   order(Request::Kind::kSwitchOff);
   return std::nullopt;
 }
@@ -95,7 +95,7 @@ void ArmOwner::on_answer(const Answer& answer) noexcept {
     case Answer::Kind::kFault:
       return on_fault();
     case Answer::Kind::kFaultPersists:
-      events_.on_event(MoveRefused{.reason = Refusal::kNotReady, .tag = clear_tag_});
+      events_.on_event(refused(Refusal::kNotReady, clear_tag_));
       phase_ = Phase::kFault;
       return drop(Refusal::kNotReady);
     case Answer::Kind::kUnusable:

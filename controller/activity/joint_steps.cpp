@@ -4,14 +4,9 @@
 
 #include "controller/base/timebase.hpp"
 #include "controller/robot/axis_units.hpp"
+#include "controller/trajectory/joint/axis_limits.hpp"
 
 namespace armature {
-namespace {
-
-// Rounding may make set-points exceed a limit that the motion just reaches.
-constexpr double kPointRounding = 1e-6;
-
-}  // namespace
 
 PerAxis<double> speed_limits_rad_s(const RobotModel& robot) noexcept {
   PerAxis<double> limits{};
@@ -29,8 +24,8 @@ std::uint8_t axis_beyond_limits(const RobotModel& robot, const PerAxis<double>& 
     const double step = (steps.next[axis] - steps.position[axis]).value();
     const double last = (steps.position[axis] - steps.previous[axis]).value();
     const double accel = model.max_accel_rad_s2 * kTickSeconds * kTickSeconds;
-    if (!(std::fabs(step) <= max_speed_rad_s[axis] * kTickSeconds * (1.0 + kPointRounding) * share)) return number;
-    if (!(std::fabs(step - last) <= accel * (1.0 + kPointRounding) * share)) return number;
+    if (!(std::fabs(step) <= max_speed_rad_s[axis] * kTickSeconds * (1.0 + kLimitRounding) * share)) return number;
+    if (!(std::fabs(step - last) <= accel * (1.0 + kLimitRounding) * share)) return number;
     // The last step to a limit can be smaller than `accel`.
     const double stop = steps.next[axis].value() + step * (0.5 * std::fabs(step) / accel + 0.5);
     if (step > 0.0 && stop > model.max_rad + accel) return number;

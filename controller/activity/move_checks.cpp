@@ -145,7 +145,7 @@ std::optional<MoveRefused> find_refusal(const RobotModel& robot, const JointMove
 
 std::optional<MoveRefused> find_refusal(const RobotModel& robot, const UserFrames& base_T_user,
                                         const PoseMove& move) noexcept {
-  if (robot.arm.family == ArmFamily::kNone) return MoveRefused{.reason = Refusal::kNoKinematics};
+  if (robot.arm.family == ArmFamily::kNone) return refused(Refusal::kNoKinematics);
   const bool valid = is_share(move.speed) && is_share(move.accel) && is_blend(move.blend) && are_timed(move.outputs) &&
                      is_pose(move.target, base_T_user) && move.target.frame != kConveyorFrame &&
                      has_configuration(robot, move.target.configuration);
@@ -155,7 +155,7 @@ std::optional<MoveRefused> find_refusal(const RobotModel& robot, const UserFrame
 
 std::optional<MoveRefused> find_refusal(const RobotModel& robot, const UserFrames& base_T_user,
                                         const CartesianMove& move) noexcept {
-  if (robot.arm.family == ArmFamily::kNone) return MoveRefused{.reason = Refusal::kNoKinematics};
+  if (robot.arm.family == ArmFamily::kNone) return refused(Refusal::kNoKinematics);
   const bool has_via = move.kind != SegmentRequest::Kind::kLine && move.kind != SegmentRequest::Kind::kSpline;
   const bool valid = is_pose(move.target, base_T_user) && has_configuration(robot, move.target.configuration) &&
                      (!has_via || is_finite(move.via_mm)) && is_valid(move.about) &&
@@ -165,7 +165,7 @@ std::optional<MoveRefused> find_refusal(const RobotModel& robot, const UserFrame
   if (!valid) return invalid();
   if (move.target.frame == kConveyorFrame) {
     if (move.kind == SegmentRequest::Kind::kSpline || move.outputs.count > 0) return invalid();
-    if (robot.arm.family != ArmFamily::kSixR) return MoveRefused{.reason = Refusal::kOrientation};
+    if (robot.arm.family != ArmFamily::kSixR) return refused(Refusal::kOrientation);
   }
   return std::nullopt;
 }
@@ -189,8 +189,8 @@ std::optional<MoveRefused> find_refusal(const RobotModel& robot, const UserFrame
                                         const Jog& jog) noexcept {
   if (!(jog.duration > Ticks{}) || jog.duration > kLongestMove || !is_share(jog.accel_share)) return invalid();
   if (jog.kind == Jog::Kind::kTool) {
-    if (robot.arm.family == ArmFamily::kNone) return MoveRefused{.reason = Refusal::kNoKinematics};
-    if (robot.arm.family != ArmFamily::kSixR) return MoveRefused{.reason = Refusal::kOrientation};
+    if (robot.arm.family == ArmFamily::kNone) return refused(Refusal::kNoKinematics);
+    if (robot.arm.family != ArmFamily::kSixR) return refused(Refusal::kOrientation);
     if (jog.frame == kConveyorFrame) return invalid();
     if (!is_known(jog.frame, base_T_user) || !is_finite(jog.move_mm_s) || !is_finite(jog.turn_rad_s)) return invalid();
     if (!are_positive(jog.tool, jog.profile)) return invalid();

@@ -20,7 +20,7 @@ const MoveQueue::Move* MoveQueue::next() const noexcept {
 }
 
 void MoveQueue::refuse_front(Refusal why) noexcept {
-  events_.on_event(MoveRefused{.reason = why, .tag = std::visit([](const auto& move) { return move.tag; }, *front())});
+  events_.on_event(refused(why, std::visit([](const auto& move) { return move.tag; }, *front())));
   waiting_.drop_front();
 }
 

@@ -22,7 +22,7 @@ Dispatcher::Dispatcher(const RobotModel& robot, const Arm& arm, const PlanningCo
       owner_{robot, channel, events},
       queue_{inbox_of(inboxes, Source::kProgram), events},
       pins_{tool, queue_, events},
-      activities_{robot, arm, config, frames_, owner_, queue_, channel, events} {
+      activities_{{robot, arm, config, frames_, owner_, queue_, channel, events}} {
   // What is planned was accepted before what waits.
   Activities& a = activities_;
   owner_.set_activities(a.plans, a.conveyor, pins_, queue_, a.plans.retarget(), a.jog, a.homing, a.stream,
@@ -78,7 +78,7 @@ void Dispatcher::drop_program() noexcept {
     any = true;
     const auto refuse_it = [this](const auto& content) {
       if constexpr (requires { content.tag; }) {
-        events_.on_event(MoveRefused{.reason = *dropping_program_, .tag = content.tag});
+        events_.on_event(refused(*dropping_program_, content.tag));
       }
     };
     std::visit(refuse_it, *command);

@@ -48,4 +48,9 @@ struct MoveRefused {
   ARMATURE_MEMBERS(MoveRefused, reason, axis, path, tag)
 };
 
+// With nothing but the reason.
+[[nodiscard]] inline MoveRefused refused(Refusal reason, Tag tag = {}) noexcept {
+  return {.reason = reason, .tag = tag};
+}
+
 }  // namespace armature

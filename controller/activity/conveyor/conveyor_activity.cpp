@@ -2,22 +2,16 @@
 
 namespace armature {
 
-ConveyorActivity::ConveyorActivity(const RobotModel& robot, const Arm& arm, const PlanningConfig& config,
-                                   UserFrames& frames, ArmOwner& owner, MoveQueue& queue, PlanActivity& plans,
-                                   Channel& channel, EventListener& events) noexcept
-    : config_{config},
-      frames_{frames},
-      owner_{owner},
-      queue_{queue},
+ConveyorActivity::ConveyorActivity(const ActivityContext& context, PlanActivity& plans) noexcept
+    : context_{context},
       plans_{plans},
       path_{plans.path()},
-      events_{events},
-      part_{robot, arm, config, plans.outbox(), channel.part_store} {
-  if (config.conveyor) frames_.back() = part_.base_T_part();
+      part_{context.robot, context.arm, context.config, plans.outbox(), context.channel.part_store} {
+  if (context.config.conveyor) context.frames.back() = part_.base_T_part();
 }
 
 std::optional<MoveRefused> ConveyorActivity::accept(const ConveyorPart& part) noexcept {
-  if (config_.conveyor) part_.add(part);
+  if (context_.config.conveyor) part_.add(part);
   return std::nullopt;
 }
 
@@ -43,12 +37,12 @@ bool ConveyorActivity::work(RegisterBus& bus) noexcept {
 
 bool ConveyorActivity::execute(const CartesianMove& move, bool stands, RegisterBus& bus) noexcept {
   if (!stands) return false;
-  PerAxis<Radians> end = owner_.end();
-  const bool follows = owner_.has(ActivityId::kConveyor);
+  PerAxis<Radians> end = context_.owner.end();
+  const bool follows = context_.owner.has(ActivityId::kConveyor);
   const PartPlanning::Ready ready = follows ? part_.prepare_next(end) : part_.prepare_first();
-  owner_.set_end(end);
+  context_.owner.set_end(end);
   if (const std::optional<PartFollowed> missed = part_.pop_missed()) {
-    events_.on_event(*missed);
+    context_.events.on_event(*missed);
     bus.charge(Work::kPlan);
     return true;
   }
@@ -56,15 +50,15 @@ bool ConveyorActivity::execute(const CartesianMove& move, bool stands, RegisterB
     case PartPlanning::Ready::kNotYet:
       return false;
     case PartPlanning::Ready::kTooFast:
-      queue_.refuse_front(Refusal::kBeltTooFast);
+      context_.queue.refuse_front(Refusal::kBeltTooFast);
       return true;
     case PartPlanning::Ready::kUnreachable:
-      queue_.refuse_front(Refusal::kUnreachable);
+      context_.queue.refuse_front(Refusal::kUnreachable);
       return true;
     case PartPlanning::Ready::kNow:
       break;
   }
-  frames_.back() = part_.base_T_frame();
+  context_.frames.back() = part_.base_T_frame();
   path_.begin(move, true, bus);
   return true;
 }
@@ -73,16 +67,19 @@ bool ConveyorActivity::execute(const CartesianMove& move, bool stands, RegisterB
 bool ConveyorActivity::execute(const Dwell& dwell, RegisterBus& bus) noexcept {
   if (!stands()) return false;
   bus.charge(Work::kPlan);
-  part_.send_dwell(JointPlan{
-      .start = owner_.end(), .target = owner_.end(), .duration = dwell.duration, .is_dwell = true, .tag = dwell.tag});
-  queue_.drop_front();
+  part_.send_dwell(JointPlan{.start = context_.owner.end(),
+                             .target = context_.owner.end(),
+                             .duration = dwell.duration,
+                             .is_dwell = true,
+                             .tag = dwell.tag});
+  context_.queue.drop_front();
   return true;
 }
 
 bool ConveyorActivity::release() noexcept {
   if (!stands()) return false;
-  owner_.feed(ActivityId::kConveyor, PartRelease{});
-  owner_.release();
+  context_.owner.feed(ActivityId::kConveyor, PartRelease{});
+  context_.owner.release();
   return true;
 }
 
@@ -97,8 +94,8 @@ void ConveyorActivity::check(RegisterBus& bus) noexcept {
       path_.planner().cancel();
       return;  // it is planned again
     case PartPlanning::Verdict::kGood:
-      owner_.set_end(path_.planner().plan().target);
-      if (part_.send(path_.planner().plan())) owner_.begin(ActivityId::kConveyor, PartBegin{});
+      context_.owner.set_end(path_.planner().plan().target);
+      if (part_.send(path_.planner().plan())) context_.owner.begin(ActivityId::kConveyor, PartBegin{});
       break;
     case PartPlanning::Verdict::kTooFast:
       path_.refuse({.kind = PathProblem::Kind::kTooFast, .axis = part_.axis()});
@@ -116,14 +113,14 @@ void ConveyorActivity::clear_path() noexcept {
 }
 
 void ConveyorActivity::on_stop(StopKind how) noexcept {
-  if (!owner_.has(ActivityId::kConveyor) && !plans()) return;
-  owner_.drop(how == StopKind::kHold ? Refusal::kPartLost : Refusal::kNotReady);
+  if (!context_.owner.has(ActivityId::kConveyor) && !plans()) return;
+  context_.owner.drop(how == StopKind::kHold ? Refusal::kPartLost : Refusal::kNotReady);
 }
 
 // The moves of a part that the arm follows, or for which a path is planned, are not continued.
 void ConveyorActivity::lose_part() noexcept {
-  owner_.drop(Refusal::kPartLost);
-  if (owner_.has(ActivityId::kConveyor)) owner_.stop(StopKind::kQuick);
+  context_.owner.drop(Refusal::kPartLost);
+  if (context_.owner.has(ActivityId::kConveyor)) context_.owner.stop(StopKind::kQuick);
 }
 
 }  // namespace armature

@@ -9,26 +9,18 @@
 #include <optional>
 
 #include "controller/activity/activity.hpp"
-#include "controller/activity/arm_owner.hpp"
+#include "controller/activity/activity_context.hpp"
 #include "controller/activity/conveyor/part_planning.hpp"
-#include "controller/activity/move_queue.hpp"
 #include "controller/activity/plans/plan_activity.hpp"
-#include "controller/cell/frames.hpp"
-#include "controller/cell/planning_config.hpp"
 #include "controller/hal/register_bus.hpp"
-#include "controller/kinematics/arm.hpp"
 #include "controller/message/command.hpp"
-#include "controller/message/event.hpp"
-#include "controller/robot/robot_model.hpp"
 
 namespace armature {
 
 class ConveyorActivity final : public Activity {
  public:
-  // References must outlive the object. The last one of `frames` becomes the frame in which a path is planned.
-  ConveyorActivity(const RobotModel& robot, const Arm& arm, const PlanningConfig& config, UserFrames& frames,
-                   ArmOwner& owner, MoveQueue& queue, PlanActivity& plans, Channel& channel,
-                   EventListener& events) noexcept;
+  // `plans` must outlive the object.
+  ConveyorActivity(const ActivityContext& context, PlanActivity& plans) noexcept;
 
   [[nodiscard]] std::optional<MoveRefused> accept(const ConveyorPart& part) noexcept;
 
@@ -56,13 +48,9 @@ class ConveyorActivity final : public Activity {
   void lose_part() noexcept;
   void clear_path() noexcept;
 
-  const PlanningConfig& config_;
-  UserFrames& frames_;
-  ArmOwner& owner_;
-  MoveQueue& queue_;
+  ActivityContext context_;
   PlanActivity& plans_;
   PathStage& path_;
-  EventListener& events_;
   PartPlanning part_;
 };
 

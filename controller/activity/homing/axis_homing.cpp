@@ -71,16 +71,16 @@ void AxisHoming::react(const HomingSensors& sensors) noexcept {
 }
 
 void AxisHoming::start(const HomingSensors& sensors) noexcept {
-  if (sensors.home) meet(HomingSwitch::kOnHome);
+  if (sensors.home) reach(HomingSwitch::kOnHome);
   begin_phase(sensors.home ? Phase::kBackOff : Phase::kSearch);
 }
 
 void AxisHoming::search(const HomingSensors& sensors) noexcept {
   if (sensors.home) {
-    meet(HomingSwitch::kHome);
+    reach(HomingSwitch::kHome);
     brake_before(Phase::kLeave);
   } else if (limit_ahead(sensors) && reached_switch_ == HomingSwitch::kNone) {
-    meet(HomingSwitch::kLimit);
+    reach(HomingSwitch::kLimit);
     brake_before(Phase::kBackOff);
   } else if (limit_ahead(sensors) || law_over()) {
     fail(HomingEnd::kNoSwitch);
@@ -132,7 +132,7 @@ void AxisHoming::go_home(const HomingSensors& sensors) noexcept {
   phase_ = Phase::kOver;
 }
 
-void AxisHoming::meet(HomingSwitch what) noexcept {
+void AxisHoming::reach(HomingSwitch what) noexcept {
   if (reached_switch_ == HomingSwitch::kNone) reached_switch_ = what;
 }
 

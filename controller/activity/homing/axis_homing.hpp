@@ -55,7 +55,7 @@ class AxisHoming {
 
   // Valid when over().
   [[nodiscard]] HomingEnd how() const noexcept { return how_; }
-  [[nodiscard]] HomingSwitch met() const noexcept { return reached_switch_; }
+  [[nodiscard]] HomingSwitch reached_switch() const noexcept { return reached_switch_; }
   [[nodiscard]] Counts edge_to_index() const noexcept { return edge_to_index_; }
   // To be added to the counts of the encoder.
   [[nodiscard]] Counts shift() const noexcept { return shift_; }
@@ -70,7 +70,7 @@ class AxisHoming {
   void leave(const HomingSensors& sensors) noexcept;
   void find_index(const HomingSensors& sensors) noexcept;
   void go_home(const HomingSensors& sensors) noexcept;
-  void meet(HomingSwitch what) noexcept;
+  void reach(HomingSwitch what) noexcept;
   void begin_phase(Phase phase) noexcept;
   void move(double direction, double speed) noexcept;
   void move_to(double target, double speed) noexcept;

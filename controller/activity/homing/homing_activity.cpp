@@ -6,10 +6,10 @@
 namespace armature {
 
 std::optional<MoveRefused> HomingActivity::accept(const Home& home) noexcept {
-  if (std::optional<MoveRefused> refusal = find_refusal(robot_, home)) return refusal;
-  if (!owner_.rest()) return MoveRefused{.reason = Refusal::kNotReady};
-  const auto all = static_cast<std::uint8_t>((1u << robot_.axis_count) - 1u);
-  owner_.begin(ActivityId::kHoming, HomingRequest{.axes = home.axes == 0 ? all : home.axes, .tag = home.tag});
+  if (std::optional<MoveRefused> refusal = find_refusal(context_.robot, home)) return refusal;
+  if (!context_.owner.rest()) return refused(Refusal::kNotReady);
+  const auto all = static_cast<std::uint8_t>((1u << context_.robot.axis_count) - 1u);
+  context_.owner.begin(ActivityId::kHoming, HomingRequest{.axes = home.axes == 0 ? all : home.axes, .tag = home.tag});
   return std::nullopt;
 }
 

@@ -4,23 +4,20 @@
 #include <optional>
 
 #include "controller/activity/activity.hpp"
-#include "controller/activity/arm_owner.hpp"
+#include "controller/activity/activity_context.hpp"
 #include "controller/message/command.hpp"
 #include "controller/message/move_refused.hpp"
-#include "controller/robot/robot_model.hpp"
 
 namespace armature {
 
 class HomingActivity final : public Activity {
  public:
-  // References must outlive the object.
-  HomingActivity(const RobotModel& robot, ArmOwner& owner) noexcept : robot_{robot}, owner_{owner} {}
+  explicit HomingActivity(const ActivityContext& context) noexcept : context_{context} {}
 
   [[nodiscard]] std::optional<MoveRefused> accept(const Home& home) noexcept;
 
  private:
-  const RobotModel& robot_;
-  ArmOwner& owner_;
+  ActivityContext context_;
 };
 
 }  // namespace armature

@@ -116,7 +116,7 @@ void HomingSource::report_end(std::size_t index, HomingEnd how, Ticks tick) noex
   events_.on_event(HomingEnded{.tag = request_.tag,
                                .axis = static_cast<std::uint8_t>(index + 1),
                                .how = how,
-                               .met = axis.met(),
+                               .met = axis.reached_switch(),
                                .tick = tick,
                                .taken = tick - begun_[index],
                                .edge_to_index = axis.edge_to_index(),

@@ -24,17 +24,17 @@ VelocityCommand velocity_command(const Jog& jog, const UserFrames& base_T_user) 
 }  // namespace
 
 std::optional<MoveRefused> JogActivity::accept(const Jog& jog) noexcept {
-  if (std::optional<MoveRefused> refusal = find_refusal(robot_, frames_, jog)) return refusal;
-  if (!owner_.referenced()) return MoveRefused{.reason = Refusal::kNotReferenced};
-  if (!owner_.has(ActivityId::kJog) && !owner_.rest()) return MoveRefused{.reason = Refusal::kNotReady};
-  next_ = velocity_command(jog, frames_);
-  owner_.lend(ActivityId::kJog);
+  if (std::optional<MoveRefused> refusal = find_refusal(context_.robot, context_.frames, jog)) return refusal;
+  if (!context_.owner.referenced()) return refused(Refusal::kNotReferenced);
+  if (!context_.owner.has(ActivityId::kJog) && !context_.owner.rest()) return refused(Refusal::kNotReady);
+  next_ = velocity_command(jog, context_.frames);
+  context_.owner.lend(ActivityId::kJog);
   return std::nullopt;
 }
 
 void JogActivity::send() noexcept {
-  if (!next_ || !channel_.has_unread_at_most(Channel::kJogs - 1)) return;
-  owner_.begin(ActivityId::kJog, *next_);
+  if (!next_ || !context_.channel.has_unread_at_most(Channel::kJogs - 1)) return;
+  context_.owner.begin(ActivityId::kJog, *next_);
   next_.reset();
 }
 

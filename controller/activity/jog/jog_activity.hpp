@@ -5,21 +5,16 @@
 #include <optional>
 
 #include "controller/activity/activity.hpp"
-#include "controller/activity/arm_owner.hpp"
-#include "controller/activity/channel.hpp"
+#include "controller/activity/activity_context.hpp"
 #include "controller/activity/jog/velocity_input.hpp"
-#include "controller/cell/frames.hpp"
 #include "controller/message/command.hpp"
 #include "controller/message/move_refused.hpp"
-#include "controller/robot/robot_model.hpp"
 
 namespace armature {
 
 class JogActivity final : public Activity {
  public:
-  // References must outlive the object.
-  JogActivity(const RobotModel& robot, const UserFrames& frames, ArmOwner& owner, Channel& channel) noexcept
-      : robot_{robot}, frames_{frames}, owner_{owner}, channel_{channel} {}
+  explicit JogActivity(const ActivityContext& context) noexcept : context_{context} {}
 
   [[nodiscard]] std::optional<MoveRefused> accept(const Jog& jog) noexcept;
   // Call at the end of each execute().
@@ -30,10 +25,7 @@ class JogActivity final : public Activity {
   void drop(Refusal) noexcept override { next_.reset(); }
 
  private:
-  const RobotModel& robot_;
-  const UserFrames& frames_;
-  ArmOwner& owner_;
-  Channel& channel_;
+  ActivityContext context_;
   std::optional<VelocityCommand> next_{};  // to be sent
 };
 

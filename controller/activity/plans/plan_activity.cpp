@@ -6,46 +6,38 @@
 
 namespace armature {
 
-PlanActivity::PlanActivity(const RobotModel& robot, const Arm& arm, const PlanningConfig& config,
-                           const UserFrames& frames, ArmOwner& owner, MoveQueue& queue, Channel& channel,
-                           EventListener& events) noexcept
-    : robot_{robot},
-      arm_{arm},
-      config_{config},
-      frames_{frames},
-      owner_{owner},
-      queue_{queue},
-      events_{events},
-      outbox_{channel},
-      path_{robot, arm, config, frames, owner, queue, events},
-      window_{path_, owner, queue, outbox_, events},
-      joints_{robot, config, owner, outbox_, events},
-      corner_{robot, arm, path_, joints_, queue, outbox_, events},
-      retarget_{owner, queue, outbox_, events} {}
+PlanActivity::PlanActivity(const ActivityContext& context) noexcept
+    : context_{context},
+      outbox_{context.channel},
+      path_{context},
+      window_{context, path_, outbox_},
+      joints_{context, outbox_},
+      corner_{context, path_, joints_, outbox_},
+      retarget_{context, outbox_} {}
 
 template <QueuedMove Move>
 std::optional<MoveRefused> PlanActivity::accept(const Move& move) noexcept {
   std::optional<MoveRefused> refusal;
-  if (owner_.in_fault()) {
-    refusal = MoveRefused{.reason = Refusal::kNotReady};
-  } else if (!owner_.referenced() && !owner_.has(ActivityId::kHoming)) {
-    refusal = MoveRefused{.reason = Refusal::kNotReferenced};
+  if (context_.owner.in_fault()) {
+    refusal = refused(Refusal::kNotReady);
+  } else if (!context_.owner.referenced() && !context_.owner.has(ActivityId::kHoming)) {
+    refusal = refused(Refusal::kNotReferenced);
   } else if constexpr (std::is_same_v<Move, JointMove>) {
-    refusal = find_refusal(robot_, move);
+    refusal = find_refusal(context_.robot, move);
   } else if constexpr (requires { find_refusal(move); }) {
     refusal = find_refusal(move);
   } else {
-    refusal = find_refusal(robot_, frames_, move);
+    refusal = find_refusal(context_.robot, context_.frames, move);
   }
   bool now = false;
   if constexpr (std::is_same_v<Move, JointMove>) {
     now = move.now;
     if (now && !refusal) refusal = retarget_.accept(move);
   }
-  if (!refusal && !now && !queue_.push(move)) refusal = MoveRefused{.reason = Refusal::kQueueFull};
+  if (!refusal && !now && !context_.queue.push(move)) refusal = refused(Refusal::kQueueFull);
   // The moves before and after a refused move must not be blended, nor those before and after a move that does not
   // wait.
-  if (refusal || now) queue_.break_chain();
+  if (refusal || now) context_.queue.break_chain();
   return refusal;
 }
 
@@ -94,9 +86,12 @@ bool PlanActivity::execute(const CartesianMove& move, RegisterBus& bus) noexcept
 
 bool PlanActivity::execute(const Dwell& dwell, RegisterBus& bus) noexcept {
   if (!outbox_.has_room()) return false;
-  const JointPlan plan{
-      .start = owner_.end(), .target = owner_.end(), .duration = dwell.duration, .is_dwell = true, .tag = dwell.tag};
-  queue_.drop_front();
+  const JointPlan plan{.start = context_.owner.end(),
+                       .target = context_.owner.end(),
+                       .duration = dwell.duration,
+                       .is_dwell = true,
+                       .tag = dwell.tag};
+  context_.queue.drop_front();
   bus.charge(armature::Work::kPlan);
   outbox_.send(plan);
   return true;
@@ -105,20 +100,20 @@ bool PlanActivity::execute(const Dwell& dwell, RegisterBus& bus) noexcept {
 void PlanActivity::plan(const JointMove& move, RegisterBus& bus, double residual_rad) noexcept {
   if (!joints_.empty() || corner_.joining() || move.blend.wanted()) return corner_.add(move, bus, residual_rad);
   const JointMove alone = move;
-  queue_.drop_front();
+  context_.queue.drop_front();
   joints_.send_alone(alone, bus, residual_rad);
 }
 
 void PlanActivity::plan(const PoseMove& move, RegisterBus& bus) noexcept {
-  const Transform base_T_flange = path_.resolve(move.target) * inverse(config_.flange_T_tool);
-  const IkTracking solution = arm_.soonest(base_T_flange, owner_.end(), move.target.configuration);
+  const Transform base_T_flange = path_.resolve(move.target) * inverse(context_.config.flange_T_tool);
+  const IkTracking solution = context_.arm.soonest(base_T_flange, context_.owner.end(), move.target.configuration);
   bus.charge(armature::Work::kInverse, static_cast<std::int64_t>(IkSolutions::kMax));
   if (!solved(solution.status)) {
-    MoveRefused refusal = refusal_of(robot_, solution);
+    MoveRefused refusal = refusal_of(context_.robot, solution);
     refusal.tag = move.tag;
-    queue_.drop_front();
+    context_.queue.drop_front();
     corner_.close();
-    return events_.on_event(refusal);
+    return context_.events.on_event(refusal);
   }
   plan(JointMove{.target = solution.joints,
                  .speed = move.speed,
@@ -147,7 +142,7 @@ void PlanActivity::work_on_path(RegisterBus& bus) noexcept {
       path_.work(bus);
       return;  // the result is used after the commands that came meanwhile have been accepted
     case Progress::kDone:
-      owner_.set_end(path_.planner().plan().target);
+      context_.owner.set_end(path_.planner().plan().target);
       path_.set_unasked_stop(false);
       path_.measure(0, bus);
       if (corner_.can_join_path()) return corner_.join_path();
@@ -175,9 +170,9 @@ bool PlanActivity::add_to_joints(RegisterBus& bus) noexcept {
     const auto joins = [this](const auto* move) {
       return move != nullptr && joints_.open() && (!corner_.joining() || move->outputs.count == 0);
     };
-    const auto* joint = queue_.next_if<JointMove>();
-    const auto* pose = queue_.next_if<PoseMove>();
-    const auto* path = queue_.next_if<CartesianMove>();
+    const auto* joint = context_.queue.next_if<JointMove>();
+    const auto* pose = context_.queue.next_if<PoseMove>();
+    const auto* path = context_.queue.next_if<CartesianMove>();
     if (joins(joint)) {
       plan(*joint, bus);
       return true;
@@ -201,10 +196,10 @@ bool PlanActivity::add_to_joints(RegisterBus& bus) noexcept {
 // The front of the queue joins the plan, which ends with a path, or it is sent.
 bool PlanActivity::add_to_joined(RegisterBus& bus) noexcept {
   if (corner_.path_leads_on()) {
-    if (const auto* joint = queue_.next_if<JointMove>()) {
+    if (const auto* joint = context_.queue.next_if<JointMove>()) {
       plan(*joint, bus);
     } else {
-      plan(*queue_.next_if<PoseMove>(), bus);
+      plan(*context_.queue.next_if<PoseMove>(), bus);
     }
     return true;
   }

@@ -14,29 +14,21 @@
 #include <optional>
 
 #include "controller/activity/activity.hpp"
-#include "controller/activity/arm_owner.hpp"
-#include "controller/activity/move_queue.hpp"
+#include "controller/activity/activity_context.hpp"
 #include "controller/activity/plans/stages/corner_stage.hpp"
 #include "controller/activity/plans/stages/joint_stage.hpp"
 #include "controller/activity/plans/stages/path_stage.hpp"
 #include "controller/activity/plans/stages/plan_outbox.hpp"
 #include "controller/activity/plans/stages/retarget_stage.hpp"
 #include "controller/activity/plans/stages/window_stage.hpp"
-#include "controller/cell/frames.hpp"
-#include "controller/cell/planning_config.hpp"
 #include "controller/hal/register_bus.hpp"
-#include "controller/kinematics/arm.hpp"
 #include "controller/message/command.hpp"
-#include "controller/message/event.hpp"
-#include "controller/robot/robot_model.hpp"
 
 namespace armature {
 
 class PlanActivity final : public Activity {
  public:
-  // References must outlive the object. `frames`: those of commands; see PathStage.
-  PlanActivity(const RobotModel& robot, const Arm& arm, const PlanningConfig& config, const UserFrames& frames,
-               ArmOwner& owner, MoveQueue& queue, Channel& channel, EventListener& events) noexcept;
+  explicit PlanActivity(const ActivityContext& context) noexcept;
 
   // A move or a command for pins of the queue.
   template <QueuedMove Move>
@@ -51,7 +43,7 @@ class PlanActivity final : public Activity {
   [[nodiscard]] bool execute(const PoseMove& move, RegisterBus& bus) noexcept;
   [[nodiscard]] bool execute(const CartesianMove& move, RegisterBus& bus) noexcept;
   [[nodiscard]] bool execute(const Dwell& dwell, RegisterBus& bus) noexcept;
-  [[nodiscard]] bool may_work() const noexcept { return owner_.has(ActivityId::kPlans) && !retarget_.waits(); }
+  [[nodiscard]] bool may_work() const noexcept { return context_.owner.has(ActivityId::kPlans) && !retarget_.waits(); }
   // The arm is at the end of all plans, and no Hold is active.
   [[nodiscard]] bool stand() const noexcept { return outbox_.stands(); }
   [[nodiscard]] bool waits_for_time() const noexcept { return window_.waits_for_time(); }
@@ -75,13 +67,7 @@ class PlanActivity final : public Activity {
   [[nodiscard]] bool add_to_joints(RegisterBus& bus) noexcept;
   [[nodiscard]] bool add_to_joined(RegisterBus& bus) noexcept;
 
-  const RobotModel& robot_;
-  const Arm& arm_;
-  const PlanningConfig& config_;
-  const UserFrames& frames_;
-  ArmOwner& owner_;
-  MoveQueue& queue_;
-  EventListener& events_;
+  ActivityContext context_;
   PlanOutbox outbox_;
   PathStage path_;
   WindowStage window_;

@@ -137,7 +137,7 @@ bool PlanSource::start_retarget(const RetargetRequest& request, Ticks tick) noex
   set_point_.planned = true;
   plan.tag = request.tag;
   if (plan.duration > kLongestMove) {
-    events_.on_event(MoveRefused{.reason = Refusal::kInvalidTarget, .tag = plan.tag});
+    events_.on_event(refused(Refusal::kInvalidTarget, plan.tag));
     return false;
   }
   if (const std::optional<std::size_t> axis = axis_outside(plan, robot_)) {
@@ -248,7 +248,7 @@ void PlanSource::drop_all() noexcept {
 }
 
 void PlanSource::refuse_retarget(const RetargetRequest& request) noexcept {
-  events_.on_event(MoveRefused{.reason = Refusal::kNotReady, .tag = request.tag});
+  events_.on_event(refused(Refusal::kNotReady, request.tag));
   ++plans_ended_;
 }
 

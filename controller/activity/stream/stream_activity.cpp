@@ -10,20 +10,20 @@ namespace armature {
 std::optional<MoveRefused> StreamActivity::accept(const StreamPoint& point) noexcept {
   const bool expected = expects(point);
   if (!point.first && !expected) return std::nullopt;  // the end of the stream was reported
-  if (!owner_.referenced()) return MoveRefused{.reason = Refusal::kNotReferenced};
-  if (!expected && !owner_.rest()) return MoveRefused{.reason = Refusal::kNotReady};
+  if (!context_.owner.referenced()) return refused(Refusal::kNotReferenced);
+  if (!expected && !context_.owner.rest()) return refused(Refusal::kNotReady);
   return send(point);
 }
 
 std::optional<MoveRefused> StreamActivity::send(const StreamPoint& point) noexcept {
   if (point.first) {
-    joints_ = owner_.end();
+    joints_ = context_.owner.end();
     time_ = Ticks{-1};
   }
   std::optional<MoveRefused> refusal = find_refusal(point);
   if (!refusal) refusal = solve(point);
   if (refusal) {
-    if (active_) owner_.stop(StopKind::kSoft);
+    if (active_) context_.owner.stop(StopKind::kSoft);
     closed_ = true;
     return refusal;
   }
@@ -38,9 +38,9 @@ std::optional<MoveRefused> StreamActivity::send(const StreamPoint& point) noexce
   for (std::size_t axis = 0; axis < kAxes; ++axis) sample.joint_rad[axis] = joints_[axis].value();
   // No room only while core 0 does not run; the set-point is then missing, and the stream is late.
   if (point.first) {
-    owner_.begin(ActivityId::kStream, sample);
-  } else if (channel_.has_unread_at_most(Channel::kStream - 1)) {
-    owner_.feed(ActivityId::kStream, sample);
+    context_.owner.begin(ActivityId::kStream, sample);
+  } else if (context_.channel.has_unread_at_most(Channel::kStream - 1)) {
+    context_.owner.feed(ActivityId::kStream, sample);
   }
   time_ = point.time;
   tag_ = point.tag;
@@ -54,13 +54,14 @@ std::optional<MoveRefused> StreamActivity::find_refusal(const StreamPoint& point
   if (point.time <= time_ || point.time > kLongestMove) return invalid;
   if (point.first) {
     if (point.time != Ticks{0} || point.delay <= Ticks{0} || point.delay > kLongestMove || point.last) return invalid;
-    if (const std::optional<MoveRefused> refusal = find_profile_refusal(robot_, point.profile)) return refusal;
+    if (const std::optional<MoveRefused> refusal = find_profile_refusal(context_.robot, point.profile)) return refusal;
   }
   if (point.kind == StreamPoint::Kind::kTool) {
-    if (arm_.known()) return std::nullopt;
-    return MoveRefused{.reason = Refusal::kNoKinematics};
+    if (context_.arm.known()) return std::nullopt;
+    return refused(Refusal::kNoKinematics);
   }
-  return armature::find_refusal(robot_, make_per_axis([&](std::size_t axis) { return point.joints[axis].value(); }));
+  return armature::find_refusal(context_.robot,
+                                make_per_axis([&](std::size_t axis) { return point.joints[axis].value(); }));
 }
 
 std::optional<MoveRefused> StreamActivity::solve(const StreamPoint& point) noexcept {
@@ -68,10 +69,10 @@ std::optional<MoveRefused> StreamActivity::solve(const StreamPoint& point) noexc
     joints_ = point.joints;
     return std::nullopt;
   }
-  const Transform base_T_flange = Transform{point.rotation, point.position_mm} * inverse(config_.flange_T_tool);
-  const IkTracking tracking = arm_.track(base_T_flange, joints_);
+  const Transform base_T_flange = Transform{point.rotation, point.position_mm} * inverse(context_.config.flange_T_tool);
+  const IkTracking tracking = context_.arm.track(base_T_flange, joints_);
   ++inverses_;
-  if (!solved(tracking.status)) return refusal_of(robot_, tracking);
+  if (!solved(tracking.status)) return refusal_of(context_.robot, tracking);
   joints_ = tracking.joints;
   return std::nullopt;
 }

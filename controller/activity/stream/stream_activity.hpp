@@ -5,24 +5,17 @@
 #include <optional>
 
 #include "controller/activity/activity.hpp"
-#include "controller/activity/arm_owner.hpp"
-#include "controller/activity/channel.hpp"
+#include "controller/activity/activity_context.hpp"
 #include "controller/base/axes.hpp"
 #include "controller/base/units.hpp"
-#include "controller/cell/planning_config.hpp"
-#include "controller/kinematics/arm.hpp"
 #include "controller/message/command.hpp"
 #include "controller/message/move_refused.hpp"
-#include "controller/robot/robot_model.hpp"
 
 namespace armature {
 
 class StreamActivity final : public Activity {
  public:
-  // References must outlive the object.
-  StreamActivity(const RobotModel& robot, const Arm& arm, const PlanningConfig& config, ArmOwner& owner,
-                 Channel& channel) noexcept
-      : robot_{robot}, arm_{arm}, config_{config}, owner_{owner}, channel_{channel} {}
+  explicit StreamActivity(const ActivityContext& context) noexcept : context_{context} {}
 
   // A stream with a refused set-point stops. Set-points that come later have no effect.
   [[nodiscard]] std::optional<MoveRefused> accept(const StreamPoint& point) noexcept;
@@ -42,11 +35,7 @@ class StreamActivity final : public Activity {
   [[nodiscard]] std::optional<MoveRefused> find_refusal(const StreamPoint& point) const noexcept;
   [[nodiscard]] std::optional<MoveRefused> solve(const StreamPoint& point) noexcept;
 
-  const RobotModel& robot_;
-  const Arm& arm_;
-  const PlanningConfig& config_;
-  ArmOwner& owner_;
-  Channel& channel_;
+  ActivityContext context_;
   PerAxis<Radians> joints_{};  // of the latest set-point
   Ticks time_{};               // likewise
   Tag tag_{};

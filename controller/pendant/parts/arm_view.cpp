@@ -33,9 +33,9 @@ void ArmView::on_event(const Event& event) noexcept {
                           alarm_ = false;
                         },
                         [this](const HomingStarted& start) {
-                          if (start.tag.source() == Source::kPendant) homing_left_ |= std::exchange(homing_asked_, 0);
+                          if (start.tag.source() == Source::kPendant) axes_to_home_ |= std::exchange(homing_asked_, 0);
                         },
-                        [this](const HomingEnded& end) { homing_left_ = OwnerState::axes_after(end, homing_left_); },
+                        [this](const HomingEnded& end) { axes_to_home_ = OwnerState::axes_after(end, axes_to_home_); },
                         [](const auto&) {}},
              event);
 }

@@ -25,7 +25,7 @@ class ArmView {
   // A jog is under way, or a key of one is pressed.
   [[nodiscard]] bool jogs(Cycles now) const noexcept { return owner_.jogs() || keys_.any(now); }
   // The same, or something else is under way.
-  [[nodiscard]] bool moves(Cycles now) const noexcept { return jogs(now) || owner_.moves() || homing_left_ != 0; }
+  [[nodiscard]] bool moves(Cycles now) const noexcept { return jogs(now) || owner_.moves() || axes_to_home_ != 0; }
   // As in Page::kAlarm.
   [[nodiscard]] std::int32_t alarm() const noexcept;
 
@@ -48,7 +48,7 @@ class ArmView {
   bool alarm_ = false;    // the arm is in Fault for another cause, or the emergency stop was reset
   // Axes that the operator lets be homed. No event tells that further ones wait while none is being homed.
   std::uint8_t homing_asked_ = 0;  // before the first one has started
-  std::uint8_t homing_left_ = 0;   // from then on: those that are not over
+  std::uint8_t axes_to_home_ = 0;  // from then on: those that are not over
 };
 
 }  // namespace armature::pendant

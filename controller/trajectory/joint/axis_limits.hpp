@@ -7,6 +7,9 @@
 
 namespace armature {
 
+// Rounding may make the set-points of a motion that just reaches a limit exceed it by this share.
+inline constexpr double kLimitRounding = 1e-6;
+
 // In rad/s, rad/s^2 and rad/s^3. `speed` and `accel` are shares of the limits of the axis, in (0, 1]. The jerk is 0 for
 // an axis without a jerk limit.
 [[nodiscard]] inline TimeLawLimits axis_limits(const AxisModel& model, double speed = 1.0,

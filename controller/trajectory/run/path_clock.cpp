@@ -6,12 +6,11 @@
 
 #include "controller/base/timebase.hpp"
 #include "controller/robot/axis_units.hpp"
+#include "controller/trajectory/joint/axis_limits.hpp"
 
 namespace armature {
 namespace {
 
-// Rounding may make set-points exceed a limit that the plan just reaches by this share; whole_ticks() allows as much.
-constexpr double kStepRounding = 1e-6;
 // The tool's positions are about 1e3 mm, with 1e-13 mm of rounding: 1e-6 of the change of a step at 40 mm/s^2.
 constexpr double kToolRounding = 1e-4;
 // Bisection steps for the change of the rate: a resolution of 1e-12 of it.
@@ -165,8 +164,8 @@ bool PathClock::allowed(const PerAxis<Radians>& now, const PerAxis<Radians>& nex
   for (std::size_t axis = 0; axis < axis_count_; ++axis) {
     const double step = (next[axis] - now[axis]).value();
     // Written so that a NaN is refused.
-    if (!(std::fabs(step) <= max_step_rad_[axis] * (1.0 + kStepRounding))) return false;
-    if (!(std::fabs(step - step_rad_[axis]) <= max_bend_rad_[axis] * (1.0 + kStepRounding))) return false;
+    if (!(std::fabs(step) <= max_step_rad_[axis] * (1.0 + kLimitRounding))) return false;
+    if (!(std::fabs(step - step_rad_[axis]) <= max_bend_rad_[axis] * (1.0 + kLimitRounding))) return false;
   }
   return true;
 }

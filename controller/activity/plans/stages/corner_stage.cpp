@@ -31,8 +31,8 @@ std::size_t CornerStage::moves() const noexcept {
 }
 
 bool CornerStage::joint_move_follows() const noexcept {
-  const auto* joint = queue_.next_if<JointMove>();
-  const auto* pose = queue_.next_if<PoseMove>();
+  const auto* joint = context_.queue.next_if<JointMove>();
+  const auto* pose = context_.queue.next_if<PoseMove>();
   const bool joins = joint != nullptr ? joint->outputs.count == 0 : pose != nullptr && pose->outputs.count == 0;
   return joins && moves() < Plan::kMaxMoves;
 }
@@ -42,7 +42,7 @@ bool CornerStage::can_join_path() const noexcept {
   const bool is_whole = plan.count == path_.requests().requests().size() && moves() <= Plan::kMaxMoves;
   if (!is_whole || !plan.outputs.view().empty()) return false;
   const bool leads_on = path_.requests().last_blend_mm() > 0.0;
-  if (leads_on && queue_.empty()) return false;  // a window may continue it with a move that is not there yet
+  if (leads_on && context_.queue.empty()) return false;  // a window may continue it with a move that is not there yet
   return !joints_.empty() || (leads_on && joint_move_follows());
 }
 
@@ -66,12 +66,12 @@ void CornerStage::add(const JointMove& move, RegisterBus& bus, double residual_r
 
 void CornerStage::end_adding(const JointMove& move, double residual_rad) noexcept {
   joints_.add(move, residual_rad, move.blend.wanted() && moves() < Plan::kMaxMoves);
-  queue_.drop_front();
+  context_.queue.drop_front();
 }
 
 void CornerStage::refuse_front(Refusal why) noexcept {
   close();
-  queue_.refuse_front(why);
+  context_.queue.refuse_front(why);
 }
 
 void CornerStage::close() noexcept {
@@ -85,7 +85,7 @@ void CornerStage::begin_departure(const JointMove& move, double residual_rad) no
   departing_ = move;
   departing_residual_rad_ = residual_rad;
   departure_.emplace(
-      robot_, arm_, PathBefore{path.path, path.from, path_blend_mm_},
+      context_.robot, context_.arm, PathBefore{path.path, path.from, path_blend_mm_},
       JointRequest{.target = move.target, .speed = move.speed, .accel = move.accel, .kind = move.profile});
 }
 
@@ -115,7 +115,7 @@ void CornerStage::begin_arrival() noexcept {
     request.before = PathBefore{before.path, before.from, path_blend_mm_};
     request.exit_at = before.until;
   }
-  arrival_.emplace(robot_, arm_, joints_.chain(), path, request);
+  arrival_.emplace(context_.robot, context_.arm, joints_.chain(), path, request);
 }
 
 void CornerStage::end_arrival() noexcept {
@@ -149,7 +149,7 @@ void CornerStage::drop(Refusal why) noexcept {
   departure_.reset();
   arrival_.reset();
   Plan& joined = outbox_.unsent();
-  for (std::size_t move = 0; move < moves_in(joined); ++move) events_.on_event(dropped(joined, move, why));
+  for (std::size_t move = 0; move < moves_in(joined); ++move) context_.events.on_event(dropped(joined, move, why));
   joined = {};
 }
 

@@ -9,14 +9,12 @@
 #include <cstddef>
 #include <optional>
 
-#include "controller/activity/move_queue.hpp"
+#include "controller/activity/activity_context.hpp"
 #include "controller/activity/plans/stages/joint_stage.hpp"
 #include "controller/activity/plans/stages/path_stage.hpp"
 #include "controller/activity/plans/stages/plan_outbox.hpp"
 #include "controller/hal/register_bus.hpp"
-#include "controller/kinematics/arm.hpp"
 #include "controller/message/command.hpp"
-#include "controller/robot/robot_model.hpp"
 #include "controller/trajectory/plan/corner_planner.hpp"
 
 namespace armature {
@@ -24,9 +22,8 @@ namespace armature {
 class CornerStage {
  public:
   // References must outlive the stage.
-  CornerStage(const RobotModel& robot, const Arm& arm, PathStage& path, JointStage& joints, MoveQueue& queue,
-              PlanOutbox& outbox, EventListener& events) noexcept
-      : robot_{robot}, arm_{arm}, path_{path}, joints_{joints}, queue_{queue}, outbox_{outbox}, events_{events} {}
+  CornerStage(const ActivityContext& context, PathStage& path, JointStage& joints, PlanOutbox& outbox) noexcept
+      : context_{context}, path_{path}, joints_{joints}, outbox_{outbox} {}
 
   // A corner is being searched.
   [[nodiscard]] bool busy() const noexcept { return departure_ || arrival_; }
@@ -71,13 +68,10 @@ class CornerStage {
   void end_adding(const JointMove& move, double residual_rad) noexcept;
   void add_path(Ticks from) noexcept;
 
-  const RobotModel& robot_;
-  const Arm& arm_;
+  ActivityContext context_;
   PathStage& path_;
   JointStage& joints_;
-  MoveQueue& queue_;
   PlanOutbox& outbox_;
-  EventListener& events_;
   double path_blend_mm_ = 0.0;  // of the last path of the joined plan, at its end
   bool path_left_ = false;      // the joint moves begin in motion on that path
   // At most one of both is under way. The move that departs is still the front of the queue.

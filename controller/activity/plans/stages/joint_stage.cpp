@@ -14,26 +14,27 @@ bool JointStage::has_outputs() const noexcept {
 }
 
 void JointStage::send_alone(const JointMove& move, RegisterBus& bus, double residual_rad) noexcept {
-  JointPlan plan =
-      plan_joint_move(robot_, owner_.end(), move.target, move.speed, config_.sync, move.profile, move.accel);
+  JointPlan plan = plan_joint_move(context_.robot, context_.owner.end(), move.target, move.speed, context_.config.sync,
+                                   move.profile, move.accel);
   plan.tag = move.tag;
   plan.residual_rad = residual_rad;
   bus.charge(Work::kPlan);
-  const auto refuse_it = [&](Refusal why) { events_.on_event(MoveRefused{.reason = why, .tag = plan.tag}); };
+  const auto refuse_it = [&](Refusal why) { context_.events.on_event(refused(why, plan.tag)); };
   if (plan.duration > kLongestMove) return refuse_it(Refusal::kInvalidTarget);
   if (!place_outputs(plan, move.outputs)) return refuse_it(Refusal::kOutputOutside);
-  owner_.set_end(plan.target);
+  context_.owner.set_end(plan.target);
   outbox_.send(plan);
 }
 
 bool JointStage::plan(const JointMove& move, RegisterBus& bus) noexcept {
   const JointRequest request{.target = move.target, .speed = move.speed, .accel = move.accel, .kind = move.profile};
-  const PerAxis<Radians>& from = owner_.end();
+  const PerAxis<Radians>& from = context_.owner.end();
   int plans = 1;
   if (empty()) {
     start_ = from;
     const auto rest = [&](std::size_t axis) { return AxisState{.position = from[axis].value()}; };
-    chain_ = plan_retarget(robot_, make_per_axis(rest), request.target, request.speed, request.kind, request.accel);
+    chain_ =
+        plan_retarget(context_.robot, make_per_axis(rest), request.target, request.speed, request.kind, request.accel);
     if (chain_.duration > kLongestMove) {
       clear();
       plans = 0;
@@ -41,14 +42,14 @@ bool JointStage::plan(const JointMove& move, RegisterBus& bus) noexcept {
   } else {
     const double ways_rad = std::min(largest_difference(via_, from), largest_difference(from, move.target));
     blend_rad_ = std::max(last_.blend.rad, 0.5 * last_.blend.share * ways_rad);
-    plans = append(chain_, robot_, request, blend_rad_);
+    plans = append(chain_, context_.robot, request, blend_rad_);
   }
   bus.charge(Work::kPlan, std::max(plans, 1));
   return plans > 0;
 }
 
 void JointStage::begin(const Departure& departure) noexcept {
-  start_ = owner_.end();
+  start_ = context_.owner.end();
   chain_ = departure.plan;
   chain_.passed = departure.passed;
 }
@@ -57,8 +58,8 @@ void JointStage::add(const JointMove& move, double residual_rad, bool open) noex
   outputs_[chain_.count - 1] = move.outputs;
   chain_.moves[chain_.count - 1].tag = move.tag;
   chain_.moves[chain_.count - 1].residual_rad = residual_rad;
-  via_ = owner_.end();
-  owner_.set_end(move.target);
+  via_ = context_.owner.end();
+  context_.owner.set_end(move.target);
   last_ = move;
   open_ = open;
 }
@@ -82,7 +83,8 @@ void JointStage::send() noexcept {
 // Without a corner it is an ordinary move.
 JointPlan JointStage::only_move() const noexcept {
   const RetargetPlan& only = chain_.moves[0];
-  JointPlan plan = plan_joint_move(robot_, start_, only.target, last_.speed, config_.sync, last_.profile, last_.accel);
+  JointPlan plan = plan_joint_move(context_.robot, start_, only.target, last_.speed, context_.config.sync,
+                                   last_.profile, last_.accel);
   plan.tag = only.tag;
   plan.residual_rad = only.residual_rad;
   return plan;
@@ -92,14 +94,14 @@ JointPlan JointStage::only_move() const noexcept {
 void JointStage::refuse(std::size_t to_blame) noexcept {
   for (std::size_t i = 0; i < chain_.count; ++i) {
     const Refusal why = i == to_blame ? Refusal::kOutputOutside : Refusal::kChainRefused;
-    events_.on_event(MoveRefused{.reason = why, .tag = chain_.moves[i].tag});
+    context_.events.on_event(refused(why, chain_.moves[i].tag));
   }
-  owner_.set_end(start_);
+  context_.owner.set_end(start_);
 }
 
 void JointStage::drop(Refusal why) noexcept {
   for (std::size_t i = 0; i < chain_.count; ++i) {
-    events_.on_event(MoveRefused{.reason = why, .tag = chain_.moves[i].tag});
+    context_.events.on_event(refused(why, chain_.moves[i].tag));
   }
   clear();
 }

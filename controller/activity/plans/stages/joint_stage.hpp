@@ -6,15 +6,12 @@
 #include <cstddef>
 #include <optional>
 
-#include "controller/activity/arm_owner.hpp"
+#include "controller/activity/activity_context.hpp"
 #include "controller/activity/plans/stages/plan_outbox.hpp"
 #include "controller/base/axes.hpp"
 #include "controller/base/units.hpp"
-#include "controller/cell/planning_config.hpp"
 #include "controller/hal/register_bus.hpp"
 #include "controller/message/command.hpp"
-#include "controller/message/event.hpp"
-#include "controller/robot/robot_model.hpp"
 #include "controller/trajectory/joint/joint_chain.hpp"
 #include "controller/trajectory/joint/joint_move.hpp"
 #include "controller/trajectory/plan/corner_planner.hpp"
@@ -24,9 +21,7 @@ namespace armature {
 class JointStage {
  public:
   // References must outlive the stage.
-  JointStage(const RobotModel& robot, const PlanningConfig& config, ArmOwner& owner, PlanOutbox& outbox,
-             EventListener& events) noexcept
-      : robot_{robot}, config_{config}, owner_{owner}, outbox_{outbox}, events_{events} {}
+  JointStage(const ActivityContext& context, PlanOutbox& outbox) noexcept : context_{context}, outbox_{outbox} {}
 
   [[nodiscard]] bool empty() const noexcept { return chain_.count == 0; }
   [[nodiscard]] std::size_t count() const noexcept { return chain_.count; }
@@ -60,11 +55,8 @@ class JointStage {
   [[nodiscard]] JointPlan only_move() const noexcept;
   void refuse(std::size_t to_blame) noexcept;
 
-  const RobotModel& robot_;
-  const PlanningConfig& config_;
-  ArmOwner& owner_;
+  ActivityContext context_;
   PlanOutbox& outbox_;
-  EventListener& events_;
   JointChain chain_;
   std::array<PathOutputs, JointChain::kMaxMoves> outputs_{};  // of the moves of chain_
   JointMove last_{};

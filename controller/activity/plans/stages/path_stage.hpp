@@ -8,17 +8,11 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "controller/activity/arm_owner.hpp"
-#include "controller/activity/move_queue.hpp"
+#include "controller/activity/activity_context.hpp"
 #include "controller/activity/plans/stages/path_requests.hpp"
 #include "controller/activity/plans/stages/planning_cost.hpp"
 #include "controller/base/units.hpp"
-#include "controller/cell/frames.hpp"
-#include "controller/cell/planning_config.hpp"
 #include "controller/hal/register_bus.hpp"
-#include "controller/kinematics/arm.hpp"
-#include "controller/message/event.hpp"
-#include "controller/robot/robot_model.hpp"
 #include "controller/trajectory/plan/cartesian_planner.hpp"
 
 namespace armature {
@@ -28,9 +22,8 @@ class PathStage {
   static constexpr std::int64_t kSlice = 100;  // 0.3 ms where an inverse kinematics takes 3 us
   using Progress = CartesianPlanner::Progress;
 
-  // References must outlive the stage. `frames`: may change while the stage is empty.
-  PathStage(const RobotModel& robot, const Arm& arm, const PlanningConfig& config, const UserFrames& frames,
-            ArmOwner& owner, MoveQueue& queue, EventListener& events) noexcept;
+  // The frames may change while the stage is empty.
+  explicit PathStage(const ActivityContext& context) noexcept;
   PathStage(const PathStage&) = delete;
   PathStage& operator=(const PathStage&) = delete;
 
@@ -58,7 +51,7 @@ class PathStage {
   // Takes it.
   void take(const CartesianMove& move) noexcept;
   [[nodiscard]] bool continues_with(const CartesianMove& move) const noexcept {
-    return requests_.continues_with(move, frames_, plane_);
+    return requests_.continues_with(move, context_.frames, plane_);
   }
 
   // The plan of `added` moves is ready.
@@ -77,13 +70,7 @@ class PathStage {
   void clear() noexcept;
 
  private:
-  const RobotModel& robot_;
-  const Arm& arm_;
-  const PlanningConfig& config_;
-  const UserFrames& frames_;
-  ArmOwner& owner_;
-  MoveQueue& queue_;
-  EventListener& events_;
+  ActivityContext context_;
   ArmPlane plane_;  // with the tool
   PathRequests requests_;
   CartesianPlanner planner_;

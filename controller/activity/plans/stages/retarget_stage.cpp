@@ -3,24 +3,25 @@
 namespace armature {
 
 std::optional<MoveRefused> RetargetStage::accept(const JointMove& move) noexcept {
-  if (owner_.has(ActivityId::kJog) || owner_.has(ActivityId::kHoming) || owner_.has(ActivityId::kConveyor)) {
-    return MoveRefused{.reason = Refusal::kNotReady};
+  if (context_.owner.has(ActivityId::kJog) || context_.owner.has(ActivityId::kHoming) ||
+      context_.owner.has(ActivityId::kConveyor)) {
+    return refused(Refusal::kNotReady);
   }
   if (next_) refuse_next(Refusal::kReplaced);
   next_ = move;
-  number_ = queue_.count_replacing();
+  number_ = context_.queue.count_replacing();
   return std::nullopt;
 }
 
 void RetargetStage::send() noexcept {
-  if (!next_ || waiting_ || !owner_.has(ActivityId::kPlans)) return;
-  owner_.feed(ActivityId::kPlans, RetargetRequest{.target = next_->target,
-                                                  .speed = next_->speed,
-                                                  .accel = next_->accel,
-                                                  .kind = next_->profile,
-                                                  .tag = next_->tag});
+  if (!next_ || waiting_ || !context_.owner.has(ActivityId::kPlans)) return;
+  context_.owner.feed(ActivityId::kPlans, RetargetRequest{.target = next_->target,
+                                                          .speed = next_->speed,
+                                                          .accel = next_->accel,
+                                                          .kind = next_->profile,
+                                                          .tag = next_->tag});
   outbox_.count_retarget();
-  queue_.set_replaced_by(number_);
+  context_.queue.set_replaced_by(number_);
   next_.reset();
   waiting_ = true;
 }
@@ -28,7 +29,7 @@ void RetargetStage::send() noexcept {
 void RetargetStage::on_answer(const Answer& answer) noexcept {
   if (!waiting_) return;
   waiting_ = false;
-  if (answer.kind == Answer::Kind::kRetargeted) owner_.replace(answer.position);
+  if (answer.kind == Answer::Kind::kRetargeted) context_.owner.replace(answer.position);
 }
 
 void RetargetStage::on_stop(StopKind how) noexcept {
@@ -40,7 +41,7 @@ void RetargetStage::drop(Refusal why) noexcept {
 }
 
 void RetargetStage::refuse_next(Refusal why) noexcept {
-  events_.on_event(MoveRefused{.reason = why, .tag = next_->tag});
+  context_.events.on_event(refused(why, next_->tag));
   next_.reset();
 }
 

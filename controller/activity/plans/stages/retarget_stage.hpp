@@ -6,20 +6,16 @@
 #include <optional>
 
 #include "controller/activity/activity.hpp"
-#include "controller/activity/arm_owner.hpp"
-#include "controller/activity/channel.hpp"
-#include "controller/activity/move_queue.hpp"
+#include "controller/activity/activity_context.hpp"
 #include "controller/activity/plans/stages/plan_outbox.hpp"
 #include "controller/message/command.hpp"
-#include "controller/message/event.hpp"
 
 namespace armature {
 
 class RetargetStage final : public Activity {
  public:
   // References must outlive the stage.
-  RetargetStage(ArmOwner& owner, MoveQueue& queue, PlanOutbox& outbox, EventListener& events) noexcept
-      : owner_{owner}, queue_{queue}, outbox_{outbox}, events_{events} {}
+  RetargetStage(const ActivityContext& context, PlanOutbox& outbox) noexcept : context_{context}, outbox_{outbox} {}
 
   // Core 0 has not answered.
   [[nodiscard]] bool waits() const noexcept { return waiting_; }
@@ -38,10 +34,8 @@ class RetargetStage final : public Activity {
  private:
   void refuse_next(Refusal why) noexcept;
 
-  ArmOwner& owner_;
-  MoveQueue& queue_;
+  ActivityContext context_;
   PlanOutbox& outbox_;
-  EventListener& events_;
   std::optional<JointMove> next_{};  // to be sent
   std::uint32_t number_ = 0;         // of the latest one, see MoveQueue
   bool waiting_ = false;

@@ -46,7 +46,7 @@ bool WindowStage::work(RegisterBus& bus) noexcept {
     return true;
   }
   if (!path_.empty()) return start_planning(bus);
-  if (queue_.empty()) return false;
+  if (context_.queue.empty()) return false;
   close();  // something else follows
   return true;
 }
@@ -102,7 +102,7 @@ bool WindowStage::start_planning(RegisterBus& bus) noexcept {
   }
   const std::size_t moves =
       std::min({wanted, planner.room(earliest), requests.count_with_outputs(planner.room_for_outputs(earliest))});
-  const bool all = !queue_.more_wait();
+  const bool all = !context_.queue.more_wait();
   const bool in_haste = 1.2 * (begin - now) >= brakes - now;
   // A stop for want of room, as for more outputs than a plan can have, is not one for want of time.
   if (moves == 0 && now + kReactionTicks >= brakes) in_time_ = false;
@@ -130,7 +130,7 @@ bool WindowStage::await_start() noexcept {
     return true;
   }
   if (outbox_.ticks_of_last() < 0.0) return false;
-  owner_.set_end(path_.planner().plan().target);
+  context_.owner.set_end(path_.planner().plan().target);
   path_.requests().drop_front(moves_);
   moves_ = 0;
   open();
@@ -177,7 +177,7 @@ void WindowStage::settle(Refusal why) noexcept {
   if (state_ != State::kDropped) return;
   if (outbox_.take_late()) {
     for (const SegmentRequest& request : path_.requests().requests().first(moves_)) {
-      events_.on_event(MoveRefused{.reason = why, .tag = request.tag});
+      context_.events.on_event(refused(why, request.tag));
     }
   }
   close();

@@ -17,20 +17,18 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "controller/activity/arm_owner.hpp"
-#include "controller/activity/move_queue.hpp"
+#include "controller/activity/activity_context.hpp"
 #include "controller/activity/plans/stages/path_stage.hpp"
 #include "controller/activity/plans/stages/plan_outbox.hpp"
 #include "controller/hal/register_bus.hpp"
-#include "controller/message/event.hpp"
 
 namespace armature {
 
 class WindowStage {
  public:
   // References must outlive the stage. The requests of `path` are the moves that follow.
-  WindowStage(PathStage& path, ArmOwner& owner, MoveQueue& queue, PlanOutbox& outbox, EventListener& events) noexcept
-      : path_{path}, owner_{owner}, queue_{queue}, outbox_{outbox}, events_{events} {}
+  WindowStage(const ActivityContext& context, PathStage& path, PlanOutbox& outbox) noexcept
+      : context_{context}, path_{path}, outbox_{outbox} {}
 
   // A plan that was sent can be continued, or one that continues it was sent.
   [[nodiscard]] bool active() const noexcept { return state_ != State::kNone; }
@@ -63,11 +61,9 @@ class WindowStage {
   void close_at_stop() noexcept;
   [[nodiscard]] bool is_braking() const noexcept;
 
+  ActivityContext context_;
   PathStage& path_;
-  ArmOwner& owner_;
-  MoveQueue& queue_;
   PlanOutbox& outbox_;
-  EventListener& events_;
   State state_ = State::kNone;
   std::size_t moves_ = 0;
   bool in_time_ = true;  // the first move of the path came before the arm brakes

@@ -74,7 +74,7 @@ class PlanBench : public OwnerBench {
   const PlanningConfig config{};
   UserFrames frames{};
   const std::unique_ptr<PlanActivity> owned =
-      std::make_unique<PlanActivity>(robot, arm, config, frames, owner, queue, *channel, events);
+      std::make_unique<PlanActivity>(ActivityContext{robot, arm, config, frames, owner, queue, *channel, events});
   PlanActivity& plans = *owned;
 
  private:
