@@ -3,7 +3,7 @@
 set(page_web ${CMAKE_CURRENT_LIST_DIR}/web)
 # Order matters: a file uses what stands before it.
 set(page_scripts
-  dom colors decode decimate kinematics run timeline address path_shape path_error plots lanes
+  dom colors decode decimate kinematics run timeline address path_error plots lanes
   arm header tables time_bar reload main)
 list(TRANSFORM page_scripts REPLACE "(.+)" "${page_web}/\\1.js")
 

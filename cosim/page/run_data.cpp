@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "cosim/page/column_code.hpp"
-#include "cosim/recording/recorded_path.hpp"
+#include "cosim/page/path_error.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -24,32 +24,31 @@ bool has_number_in_every_row(const NumberColumn& column) {
   return std::ranges::find(column.values, NumberColumn::kNone) == column.values.end();
 }
 
+Json column_json(const std::string& name, int digits, const std::vector<std::int64_t>& values) {
+  ColumnCode code = column_code(values);
+  return {{"name", name},
+          {"digits", digits},
+          {"rows", values.size()},
+          {"order", code.order},
+          {"data", std::move(code.text)}};
+}
+
 Json trace_json(const TraceTable& trace) {
   Json columns = Json::array();
   for (const NumberColumn& column : trace.columns) {
     if (!is_shown(column) || !has_number_in_every_row(column)) continue;
-    ColumnCode code = column_code(column.values);
-    columns.push_back({{"name", column.name},
-                       {"digits", column.digits},
-                       {"rows", column.values.size()},
-                       {"order", code.order},
-                       {"data", std::move(code.text)}});
+    columns.push_back(column_json(column.name, column.digits, column.values));
   }
   Json states = Json::array();
   for (const StateSpan& span : trace.states) states.push_back(Json::array({span.first_row, span.state}));
   return {{"columns", std::move(columns)}, {"states", std::move(states)}};
 }
 
-// The curve of a spline as cubics: for each piece between two points, four coefficients of x, y and z, from the lowest
-// power of u = 0..1.
-Json cubics_json(const Spline& curve) {
-  Json pieces = Json::array();
-  for (std::size_t i = 0; i + 1 < curve.points_mm().size(); ++i) {
-    Json piece = Json::array();
-    for (const Eigen::Vector3d& c : curve.cubic_mm(i)) piece.push_back({c.x(), c.y(), c.z()});
-    pieces.push_back(std::move(piece));
-  }
-  return pieces;
+Json errors_json(const RunRecord& run) {
+  const std::optional<PathErrors> errors = path_errors(run);
+  if (!errors) return nullptr;
+  return {{"encoder", column_json("", PathErrors::kDigits, errors->encoders)},
+          {"reference", column_json("", PathErrors::kDigits, errors->set_points)}};
 }
 
 }  // namespace
@@ -58,10 +57,7 @@ Json run_data(const RunRecord& run, const std::vector<SerialRecord>& serial, con
               const std::optional<OtherTrace>& other) {
   Json data = {{"summary", run.summary}, {"trace", trace_json(run.trace)}};
   data["summary"].erase("host");  // the page has the same bytes on every machine
-  for (Json& move : data["summary"]["result"]["moves"]) {
-    const std::optional<RecordedPath> recorded = recorded_path(move);
-    if (recorded && recorded->curve) move["path"]["cubics_mm"] = cubics_json(*recorded->curve);
-  }
+  data["errors"] = errors_json(run);
   Json bytes = Json::array();
   for (const SerialRecord& one : serial) {
     bytes.push_back({{"time", one.time_s}, {"direction", one.direction}, {"text", one.text}, {"error", one.error}});

@@ -79,8 +79,9 @@ class ArmView {
     const bounds = new THREE.Box3();
     for (const { path } of this.run.summary.result.moves) {
       if (!path) continue;
-      const { low, high } = pathShape(path).box;
-      for (const corner of [low, high]) bounds.expandByPoint(new THREE.Vector3(...corner).divideScalar(kMmPerUnit));
+      const points = [path.start_mm, path.end_mm, ...(path.through_mm || [])];
+      if (path.radius_mm) for (const side of [-1, 1]) points.push(path.center_mm.map((mm) => mm + side * path.radius_mm));
+      for (const point of points) bounds.expandByPoint(new THREE.Vector3(...point).divideScalar(kMmPerUnit));
     }
     return bounds.isEmpty() ? this.bounds : bounds;
   }

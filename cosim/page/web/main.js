@@ -15,7 +15,7 @@ function showReport() {
   if (run.page.digest) watchReport(place('head'), run.page.digest, timeline);
   document.body.dataset.ready = 'yes';
   // For tests and for the console of the browser.
-  window.report = { run, timeline, plots, lanes, arm, selection, pathShape, pathErrors };
+  window.report = { run, timeline, plots, lanes, arm, selection, pathErrors };
 }
 
 showReport();

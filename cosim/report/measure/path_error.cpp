@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "controller/base/timebase.hpp"
 #include "cosim/report/measure/path_distance.hpp"
@@ -29,22 +30,26 @@ std::int64_t memory_ticks(const RobotSpec& robot) {
 
 void PathErrorMeter::add(const MoveStarted& move) {
   if (move.kind == MoveKind::kDwell) return;  // the set-points stay where they are
-  const bool was_on_path = on_path_;
-  on_path_ = is_path(move.kind) && !move.on_conveyor;
-  if (!on_path_) return;
-  if (!move.continues || !was_on_path) chains_.emplace_back();
+  if (!is_path(move.kind) || move.on_conveyor) return leave_path();
+  Path path{.path = {move.path}, .move = move.tag, .start_tick = move.start_tick.value()};
+  if (move.kind == MoveKind::kSpline) {
+    std::vector<Eigen::Vector3d> points{move.path.start_mm};
+    points.insert(points.end(), move.through.view().begin(), move.through.view().end());
+    points.push_back(move.path.end_mm);
+    // The controller moves along a spline only if it is one.
+    path.curve = std::make_shared<const Spline>(Spline::through(points).value());
+    path.path.spline = path.curve.get();
+  }
+  start_path(std::move(path), move.continues);
+}
+
+void PathErrorMeter::start_path(Path path, bool continues) {
+  if (!std::exchange(on_path_, true) || !continues) chains_.emplace_back();
+  const std::int64_t start_tick = path.start_tick;
   std::deque<Path>& paths = chains_.back().paths;
-  paths.push_back({.path = {move.path}, .move = move.tag, .start_tick = move.start_tick.value()});
+  paths.push_back(std::move(path));
   // A rounded corner belongs to two paths.
-  while (paths.size() > kLongChain && move.start_tick.value() - paths[2].start_tick > memory_ticks_) paths.pop_front();
-  if (move.kind != MoveKind::kSpline) return;
-  std::vector<Eigen::Vector3d> points{move.path.start_mm};
-  points.insert(points.end(), move.through.view().begin(), move.through.view().end());
-  points.push_back(move.path.end_mm);
-  // The controller moves along a spline only if it is one.
-  Path& path = paths.back();
-  path.curve = std::make_shared<const Spline>(Spline::through(points).value());
-  path.path.spline = path.curve.get();
+  while (paths.size() > kLongChain && start_tick - paths[2].start_tick > memory_ticks_) paths.pop_front();
 }
 
 void PathErrorMeter::add(const TraceRow& row) {
@@ -62,16 +67,20 @@ void PathErrorMeter::add(const TraceRow& row) {
     foreign_tick_ = row.tick;
   }
   std::erase_if(chains_, [&](const Chain& chain) { return row.tick - chain.last_tick > memory_ticks_; });
+  latest_ = {};
   if (!row.tool_point) return;
   const auto judge = [&](const Eigen::Vector3d& point, auto first, std::optional<PathDeviation>& largest) {
     std::optional<Nearest> nearest;
     for (auto chain = first; chain != chains_.end(); ++chain) measure(*chain, point, nearest);
-    if (!nearest || (largest && nearest->mm <= largest->mm)) return;
-    largest = {.mm = nearest->mm, .where = {.tick = row.tick, .at = Cycles{row.cycle}}, .move = nearest->move};
+    if (!nearest) return std::optional<double>{};
+    if (!largest || nearest->mm > largest->mm) {
+      largest = {.mm = nearest->mm, .where = {.tick = row.tick, .at = Cycles{row.cycle}}, .move = nearest->move};
+    }
+    return std::optional{nearest->mm};
   };
-  if (on_path_) judge(row.tool_point->reference_mm, chains_.end() - 1, set_points_);
+  if (on_path_) latest_.set_point_mm = judge(row.tool_point->reference_mm, chains_.end() - 1, set_points_);
   if (!foreign_ || row.tick - foreign_tick_ > memory_ticks_) {
-    judge(row.tool_point->encoder_mm, chains_.begin(), encoders_);
+    latest_.encoder_mm = judge(row.tool_point->encoder_mm, chains_.begin(), encoders_);
   }
 }
 

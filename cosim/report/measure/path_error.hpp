@@ -41,22 +41,33 @@ struct PathDeviation {
 
 class PathErrorMeter {
  public:
-  explicit PathErrorMeter(const RobotSpec& robot) : memory_ticks_{memory_ticks(robot)} {}
-
-  void add(const MoveStarted& move);  // before the row of the tick in which it starts
-  void add(const TraceRow& row);      // measures only rows with a tool point
-
-  // The largest of the run; none: no row was measured.
-  [[nodiscard]] const std::optional<PathDeviation>& of_set_points() const { return set_points_; }
-  [[nodiscard]] const std::optional<PathDeviation>& of_encoders() const { return encoders_; }
-
- private:
   struct Path {
     PositionPath path;
     Tag move{};
     std::int64_t start_tick = 0;
     std::shared_ptr<const Spline> curve{};  // of `path`, which is a spline
   };
+  // In the last row; none: not measured in it.
+  struct Errors {
+    std::optional<double> set_point_mm{}, encoder_mm{};
+  };
+
+  explicit PathErrorMeter(std::int64_t memory_ticks) : memory_ticks_{memory_ticks} {}
+
+  // Before the row of the tick in which the move starts, unless it is a dwell. A path; `continues`: blended.
+  void start_path(Path path, bool continues);
+  // Another move.
+  void leave_path() { on_path_ = false; }
+  // Either of them.
+  void add(const MoveStarted& move);
+  void add(const TraceRow& row);  // measures only rows with a tool point
+  [[nodiscard]] const Errors& latest() const { return latest_; }
+
+  // The largest of the run; none: no row was measured.
+  [[nodiscard]] const std::optional<PathDeviation>& of_set_points() const { return set_points_; }
+  [[nodiscard]] const std::optional<PathDeviation>& of_encoders() const { return encoders_; }
+
+ private:
   struct Chain {
     std::deque<Path> paths;      // of a long chain the last ones
     std::int64_t last_tick = 0;  // with set-points on it
@@ -73,6 +84,7 @@ class PathErrorMeter {
   std::int64_t foreign_tick_ = 0;  // last tick in which the set-points moved outside of paths
   bool foreign_ = false;           // there was such a tick
   std::optional<PerAxis<Radians>> last_reference_;
+  Errors latest_{};
   std::optional<PathDeviation> set_points_;
   std::optional<PathDeviation> encoders_;
 };

@@ -28,7 +28,7 @@ void raise(T& largest, Place& at, T value, const RunPlace& here) {
 
 RunFactsCollector::RunFactsCollector(const RobotSpec& robot, std::int64_t settled_counts,
                                      const std::optional<ConveyorSpec>& conveyor, CommandNames names)
-    : path_error_{robot}, tool_motion_{robot.axis_count} {
+    : path_error_{memory_ticks(robot)}, tool_motion_{robot.axis_count} {
   facts_.names = std::move(names);
   if (conveyor) tracking_error_.emplace(robot, *conveyor);
   facts_.settled_counts = settled_counts;

@@ -44,8 +44,8 @@ struct PathErrorTest : testing::Test {
 
   std::uint32_t tag = 0;
 
-  PathErrorMeter meter{robot()};
   std::int64_t memory = memory_ticks(robot());
+  PathErrorMeter meter{memory};
   TraceRow row;
   PositionPath along_x = line_path({0, 0, 0}, {10, 0, 0});
   PositionPath along_y = line_path({10, 0, 0}, {10, 10, 0});
@@ -89,6 +89,12 @@ TEST_F(PathErrorTest, TheLargestOfEachSideIsKeptWithItsPlace) {
   EXPECT_EQ(meter.of_set_points()->move, 0u);
   EXPECT_DOUBLE_EQ(meter.of_encoders()->mm, 3);
   EXPECT_EQ(meter.of_encoders()->where.tick, 6);
+  EXPECT_DOUBLE_EQ(meter.latest().set_point_mm.value(), 0.125);
+  EXPECT_DOUBLE_EQ(meter.latest().encoder_mm.value(), 1);
+  start_joint_move();
+  tick({9, 0, 0}, {9, 0, 0});
+  EXPECT_FALSE(meter.latest().set_point_mm);
+  EXPECT_FALSE(meter.latest().encoder_mm);
 }
 
 TEST_F(PathErrorTest, OfASplineIsThatFromTheCurveThroughItsPoints) {
