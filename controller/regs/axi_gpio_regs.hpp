@@ -43,8 +43,7 @@ inline constexpr std::uint32_t kTri2ValueReset = 0xFFFF;
 
 // GIER: Global interrupt enable.
 inline constexpr std::uint32_t kGierOffset = 0x11C;
-// enable (rw): Enables irq_o.
-inline constexpr Field kGierEnable{.lsb = 31, .width = 1};
+inline constexpr Field kGierEnable{.lsb = 31, .width = 1};  // enable (rw): Enables irq_o
 inline constexpr std::uint32_t kGierEnableMask = 0x80000000;
 inline constexpr std::uint32_t kGierEnableReset = 0;
 
@@ -53,18 +52,15 @@ inline constexpr std::uint32_t kIsrOffset = 0x120;
 // channel1 (rw): An input of channel 1 has changed; a change in the cycle of a write is kept.
 inline constexpr Field kIsrChannel1{.lsb = 0, .width = 1};
 inline constexpr std::uint32_t kIsrChannel1Mask = 0x00000001;
-// channel2 (rw): As channel1, of channel 2.
-inline constexpr Field kIsrChannel2{.lsb = 1, .width = 1};
+inline constexpr Field kIsrChannel2{.lsb = 1, .width = 1};  // channel2 (rw): As channel1, of channel 2
 inline constexpr std::uint32_t kIsrChannel2Mask = 0x00000002;
 
 // IER: Interrupt enable.
 inline constexpr std::uint32_t kIerOffset = 0x128;
-// channel1 (rw): ISR.channel1 raises irq_o.
-inline constexpr Field kIerChannel1{.lsb = 0, .width = 1};
+inline constexpr Field kIerChannel1{.lsb = 0, .width = 1};  // channel1 (rw): ISR.channel1 raises irq_o
 inline constexpr std::uint32_t kIerChannel1Mask = 0x00000001;
 inline constexpr std::uint32_t kIerChannel1Reset = 0;
-// channel2 (rw): ISR.channel2 raises irq_o.
-inline constexpr Field kIerChannel2{.lsb = 1, .width = 1};
+inline constexpr Field kIerChannel2{.lsb = 1, .width = 1};  // channel2 (rw): ISR.channel2 raises irq_o
 inline constexpr std::uint32_t kIerChannel2Mask = 0x00000002;
 inline constexpr std::uint32_t kIerChannel2Reset = 0;
 

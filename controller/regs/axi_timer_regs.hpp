@@ -15,17 +15,13 @@ namespace armature::regs::axi_timer {
 
 // TCSR0: Control and status of timer 0.
 inline constexpr std::uint32_t kTcsr0Offset = 0x00;
-// mdt (rw): Mode: 0 generate (periods), 1 capture.
-inline constexpr Field kTcsr0Mdt{.lsb = 0, .width = 1};
+inline constexpr Field kTcsr0Mdt{.lsb = 0, .width = 1};  // mdt (rw): Mode: 0 generate (periods), 1 capture
 inline constexpr std::uint32_t kTcsr0MdtMask = 0x00000001;
-// udt (rw): Count direction: 0 up, 1 down.
-inline constexpr Field kTcsr0Udt{.lsb = 1, .width = 1};
+inline constexpr Field kTcsr0Udt{.lsb = 1, .width = 1};  // udt (rw): Count direction: 0 up, 1 down
 inline constexpr std::uint32_t kTcsr0UdtMask = 0x00000002;
-// gent (rw): Enables the GenerateOut pulse.
-inline constexpr Field kTcsr0Gent{.lsb = 2, .width = 1};
+inline constexpr Field kTcsr0Gent{.lsb = 2, .width = 1};  // gent (rw): Enables the GenerateOut pulse
 inline constexpr std::uint32_t kTcsr0GentMask = 0x00000004;
-// capt (rw): Enables the capture pin in capture mode.
-inline constexpr Field kTcsr0Capt{.lsb = 3, .width = 1};
+inline constexpr Field kTcsr0Capt{.lsb = 3, .width = 1};  // capt (rw): Enables the capture pin in capture mode
 inline constexpr std::uint32_t kTcsr0CaptMask = 0x00000008;
 // arht (rw): Generate mode: 1 reloads TLR after a roll-over, 0 holds the wrapped value (one-shot). Capture mode: 1
 // overwrites the captured value, 0 keeps the first one until TINT is cleared.
@@ -34,11 +30,9 @@ inline constexpr std::uint32_t kTcsr0ArhtMask = 0x00000010;
 // load (rw): While 1, TCR follows TLR and does not count; not self-clearing.
 inline constexpr Field kTcsr0Load{.lsb = 5, .width = 1};
 inline constexpr std::uint32_t kTcsr0LoadMask = 0x00000020;
-// enit (rw): Interrupt enable: TINT raises the interrupt pin.
-inline constexpr Field kTcsr0Enit{.lsb = 6, .width = 1};
+inline constexpr Field kTcsr0Enit{.lsb = 6, .width = 1};  // enit (rw): Interrupt enable: TINT raises the interrupt pin
 inline constexpr std::uint32_t kTcsr0EnitMask = 0x00000040;
-// ent (rw): Counter enable: 1 counts.
-inline constexpr Field kTcsr0Ent{.lsb = 7, .width = 1};
+inline constexpr Field kTcsr0Ent{.lsb = 7, .width = 1};  // ent (rw): Counter enable: 1 counts
 inline constexpr std::uint32_t kTcsr0EntMask = 0x00000080;
 // tint (w1c): Interrupt flag, set at the end of a period and by a capture, also while ENIT is 0.
 inline constexpr Field kTcsr0Tint{.lsb = 8, .width = 1};
@@ -55,29 +49,23 @@ inline constexpr std::uint32_t kTcsr0CascMask = 0x00000800;
 
 // TLR0: Load register of timer 0. Period: TLR+2 cycles counting down, 2^32+1-TLR cycles counting up.
 inline constexpr std::uint32_t kTlr0Offset = 0x04;
-// value (rw, cycles): Start value of each period.
-inline constexpr Field kTlr0Value{.lsb = 0, .width = 32};
+inline constexpr Field kTlr0Value{.lsb = 0, .width = 32};  // value (rw, cycles): Start value of each period
 inline constexpr std::uint32_t kTlr0ValueMask = 0xFFFFFFFF;
 
 // TCR0: Counter of timer 0.
 inline constexpr std::uint32_t kTcr0Offset = 0x08;
-// value (ro, cycles): Present count.
-inline constexpr Field kTcr0Value{.lsb = 0, .width = 32};
+inline constexpr Field kTcr0Value{.lsb = 0, .width = 32};  // value (ro, cycles): Present count
 inline constexpr std::uint32_t kTcr0ValueMask = 0xFFFFFFFF;
 
 // TCSR1: Control and status of timer 1 (fields as TCSR0, without CASC).
 inline constexpr std::uint32_t kTcsr1Offset = 0x10;
-// mdt (rw): Mode: 0 generate (periods), 1 capture.
-inline constexpr Field kTcsr1Mdt{.lsb = 0, .width = 1};
+inline constexpr Field kTcsr1Mdt{.lsb = 0, .width = 1};  // mdt (rw): Mode: 0 generate (periods), 1 capture
 inline constexpr std::uint32_t kTcsr1MdtMask = 0x00000001;
-// udt (rw): Count direction: 0 up, 1 down.
-inline constexpr Field kTcsr1Udt{.lsb = 1, .width = 1};
+inline constexpr Field kTcsr1Udt{.lsb = 1, .width = 1};  // udt (rw): Count direction: 0 up, 1 down
 inline constexpr std::uint32_t kTcsr1UdtMask = 0x00000002;
-// gent (rw): Enables the GenerateOut pulse.
-inline constexpr Field kTcsr1Gent{.lsb = 2, .width = 1};
+inline constexpr Field kTcsr1Gent{.lsb = 2, .width = 1};  // gent (rw): Enables the GenerateOut pulse
 inline constexpr std::uint32_t kTcsr1GentMask = 0x00000004;
-// capt (rw): Enables the capture pin in capture mode.
-inline constexpr Field kTcsr1Capt{.lsb = 3, .width = 1};
+inline constexpr Field kTcsr1Capt{.lsb = 3, .width = 1};  // capt (rw): Enables the capture pin in capture mode
 inline constexpr std::uint32_t kTcsr1CaptMask = 0x00000008;
 // arht (rw): Generate mode: 1 reloads TLR after a roll-over, 0 holds the wrapped value (one-shot). Capture mode: 1
 // overwrites the captured value, 0 keeps the first one until TINT is cleared.
@@ -86,11 +74,9 @@ inline constexpr std::uint32_t kTcsr1ArhtMask = 0x00000010;
 // load (rw): While 1, TCR follows TLR and does not count; not self-clearing.
 inline constexpr Field kTcsr1Load{.lsb = 5, .width = 1};
 inline constexpr std::uint32_t kTcsr1LoadMask = 0x00000020;
-// enit (rw): Interrupt enable: TINT raises the interrupt pin.
-inline constexpr Field kTcsr1Enit{.lsb = 6, .width = 1};
+inline constexpr Field kTcsr1Enit{.lsb = 6, .width = 1};  // enit (rw): Interrupt enable: TINT raises the interrupt pin
 inline constexpr std::uint32_t kTcsr1EnitMask = 0x00000040;
-// ent (rw): Counter enable: 1 counts.
-inline constexpr Field kTcsr1Ent{.lsb = 7, .width = 1};
+inline constexpr Field kTcsr1Ent{.lsb = 7, .width = 1};  // ent (rw): Counter enable: 1 counts
 inline constexpr std::uint32_t kTcsr1EntMask = 0x00000080;
 // tint (w1c): Interrupt flag, set at the end of a period and by a capture, also while ENIT is 0.
 inline constexpr Field kTcsr1Tint{.lsb = 8, .width = 1};
@@ -104,14 +90,12 @@ inline constexpr std::uint32_t kTcsr1EnallMask = 0x00000400;
 
 // TLR1: Load register of timer 1. Period: as timer 0.
 inline constexpr std::uint32_t kTlr1Offset = 0x14;
-// value (rw, cycles): Start value of each period.
-inline constexpr Field kTlr1Value{.lsb = 0, .width = 32};
+inline constexpr Field kTlr1Value{.lsb = 0, .width = 32};  // value (rw, cycles): Start value of each period
 inline constexpr std::uint32_t kTlr1ValueMask = 0xFFFFFFFF;
 
 // TCR1: Counter of timer 1.
 inline constexpr std::uint32_t kTcr1Offset = 0x18;
-// value (ro, cycles): Present count.
-inline constexpr Field kTcr1Value{.lsb = 0, .width = 32};
+inline constexpr Field kTcr1Value{.lsb = 0, .width = 32};  // value (ro, cycles): Present count
 inline constexpr std::uint32_t kTcr1ValueMask = 0xFFFFFFFF;
 
 }  // namespace armature::regs::axi_timer

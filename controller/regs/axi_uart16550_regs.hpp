@@ -16,8 +16,7 @@ namespace armature::regs::axi_uart16550 {
 // RBR: Read: oldest received character. Write: THR, next character to send. With LCR.dlab: DLL, low byte of the
 // divisor.
 inline constexpr std::uint32_t kRbrOffset = 0x1000;
-// value (rw): RBR, THR or DLL; an empty FIFO reads 0.
-inline constexpr Field kRbrValue{.lsb = 0, .width = 8};
+inline constexpr Field kRbrValue{.lsb = 0, .width = 8};  // value (rw): RBR, THR or DLL; an empty FIFO reads 0
 inline constexpr std::uint32_t kRbrValueMask = 0x000000FF;
 
 // IER: Interrupt enables. With LCR.dlab: DLM, bits 7:0 the high byte of the divisor.
@@ -25,14 +24,11 @@ inline constexpr std::uint32_t kIerOffset = 0x1004;
 // rx_data (rw): Received data at the trigger level, and character time-out.
 inline constexpr Field kIerRxData{.lsb = 0, .width = 1};
 inline constexpr std::uint32_t kIerRxDataMask = 0x00000001;
-// tx_empty (rw): THR (or the transmit FIFO) has become empty.
-inline constexpr Field kIerTxEmpty{.lsb = 1, .width = 1};
+inline constexpr Field kIerTxEmpty{.lsb = 1, .width = 1};  // tx_empty (rw): THR (or the transmit FIFO) has become empty
 inline constexpr std::uint32_t kIerTxEmptyMask = 0x00000002;
-// line_status (rw): OE, PE, FE or BI.
-inline constexpr Field kIerLineStatus{.lsb = 2, .width = 1};
+inline constexpr Field kIerLineStatus{.lsb = 2, .width = 1};  // line_status (rw): OE, PE, FE or BI
 inline constexpr std::uint32_t kIerLineStatusMask = 0x00000004;
-// modem (rw): A modem line has changed.
-inline constexpr Field kIerModem{.lsb = 3, .width = 1};
+inline constexpr Field kIerModem{.lsb = 3, .width = 1};  // modem (rw): A modem line has changed
 inline constexpr std::uint32_t kIerModemMask = 0x00000008;
 // dlm_high (rw): Only with LCR.dlab: bits 15:12 of the divisor; else 0.
 inline constexpr Field kIerDlmHigh{.lsb = 4, .width = 4};
@@ -48,28 +44,23 @@ inline constexpr std::uint32_t kIirValueMask = 0x000000FF;
 
 // LCR: Format of a character, sampled at its start.
 inline constexpr std::uint32_t kLcrOffset = 0x100C;
-// length (rw): Number of data bits - 5.
-inline constexpr Field kLcrLength{.lsb = 0, .width = 2};
+inline constexpr Field kLcrLength{.lsb = 0, .width = 2};  // length (rw): Number of data bits - 5
 inline constexpr std::uint32_t kLcrLengthMask = 0x00000003;
 inline constexpr std::uint32_t kLcrLengthReset = 0;
-// stop (rw): 1 sends two stop bits, or 1.5 with 5 data bits.
-inline constexpr Field kLcrStop{.lsb = 2, .width = 1};
+inline constexpr Field kLcrStop{.lsb = 2, .width = 1};  // stop (rw): 1 sends two stop bits, or 1.5 with 5 data bits
 inline constexpr std::uint32_t kLcrStopMask = 0x00000004;
 inline constexpr std::uint32_t kLcrStopReset = 0;
-// parity (rw): 1 adds a parity bit after the data.
-inline constexpr Field kLcrParity{.lsb = 3, .width = 1};
+inline constexpr Field kLcrParity{.lsb = 3, .width = 1};  // parity (rw): 1 adds a parity bit after the data
 inline constexpr std::uint32_t kLcrParityMask = 0x00000008;
 inline constexpr std::uint32_t kLcrParityReset = 0;
-// even (rw): 1: even parity; with stick, the parity bit is 0.
-inline constexpr Field kLcrEven{.lsb = 4, .width = 1};
+inline constexpr Field kLcrEven{.lsb = 4, .width = 1};  // even (rw): 1: even parity; with stick, the parity bit is 0
 inline constexpr std::uint32_t kLcrEvenMask = 0x00000010;
 inline constexpr std::uint32_t kLcrEvenReset = 0;
 // stick (rw): 1: the parity bit is constant, the inverse of even.
 inline constexpr Field kLcrStick{.lsb = 5, .width = 1};
 inline constexpr std::uint32_t kLcrStickMask = 0x00000020;
 inline constexpr std::uint32_t kLcrStickReset = 0;
-// brk (rw): Break: the transmit line is low.
-inline constexpr Field kLcrBrk{.lsb = 6, .width = 1};
+inline constexpr Field kLcrBrk{.lsb = 6, .width = 1};  // brk (rw): Break: the transmit line is low
 inline constexpr std::uint32_t kLcrBrkMask = 0x00000040;
 inline constexpr std::uint32_t kLcrBrkReset = 0;
 // dlab (rw): Divisor latch access: RBR and IER are the divisor, IIR reads FCR.
@@ -79,20 +70,16 @@ inline constexpr std::uint32_t kLcrDlabReset = 0;
 
 // MCR: Modem outputs and loopback.
 inline constexpr std::uint32_t kMcrOffset = 0x1010;
-// dtr (rw): Drives dtr_no low.
-inline constexpr Field kMcrDtr{.lsb = 0, .width = 1};
+inline constexpr Field kMcrDtr{.lsb = 0, .width = 1};  // dtr (rw): Drives dtr_no low
 inline constexpr std::uint32_t kMcrDtrMask = 0x00000001;
 inline constexpr std::uint32_t kMcrDtrReset = 0;
-// rts (rw): Drives rts_no low.
-inline constexpr Field kMcrRts{.lsb = 1, .width = 1};
+inline constexpr Field kMcrRts{.lsb = 1, .width = 1};  // rts (rw): Drives rts_no low
 inline constexpr std::uint32_t kMcrRtsMask = 0x00000002;
 inline constexpr std::uint32_t kMcrRtsReset = 0;
-// out1 (rw): Drives out1_no low.
-inline constexpr Field kMcrOut1{.lsb = 2, .width = 1};
+inline constexpr Field kMcrOut1{.lsb = 2, .width = 1};  // out1 (rw): Drives out1_no low
 inline constexpr std::uint32_t kMcrOut1Mask = 0x00000004;
 inline constexpr std::uint32_t kMcrOut1Reset = 0;
-// out2 (rw): Drives out2_no low; does not gate the interrupt.
-inline constexpr Field kMcrOut2{.lsb = 3, .width = 1};
+inline constexpr Field kMcrOut2{.lsb = 3, .width = 1};  // out2 (rw): Drives out2_no low; does not gate the interrupt
 inline constexpr std::uint32_t kMcrOut2Mask = 0x00000008;
 inline constexpr std::uint32_t kMcrOut2Reset = 0;
 // loop (rw): Loopback: transmitter to receiver, modem outputs to modem inputs; the pins idle.
@@ -102,26 +89,19 @@ inline constexpr std::uint32_t kMcrLoopReset = 0;
 
 // LSR: Line status; reading it clears oe, pe, fe and bi.
 inline constexpr std::uint32_t kLsrOffset = 0x1014;
-// dr (ro): Data ready: a received character is available.
-inline constexpr Field kLsrDr{.lsb = 0, .width = 1};
+inline constexpr Field kLsrDr{.lsb = 0, .width = 1};  // dr (ro): Data ready: a received character is available
 inline constexpr std::uint32_t kLsrDrMask = 0x00000001;
-// oe (ro): Overrun: a received character was lost.
-inline constexpr Field kLsrOe{.lsb = 1, .width = 1};
+inline constexpr Field kLsrOe{.lsb = 1, .width = 1};  // oe (ro): Overrun: a received character was lost
 inline constexpr std::uint32_t kLsrOeMask = 0x00000002;
-// pe (ro): Parity error of the oldest character.
-inline constexpr Field kLsrPe{.lsb = 2, .width = 1};
+inline constexpr Field kLsrPe{.lsb = 2, .width = 1};  // pe (ro): Parity error of the oldest character
 inline constexpr std::uint32_t kLsrPeMask = 0x00000004;
-// fe (ro): Framing error: the oldest character had no stop bit.
-inline constexpr Field kLsrFe{.lsb = 3, .width = 1};
+inline constexpr Field kLsrFe{.lsb = 3, .width = 1};  // fe (ro): Framing error: the oldest character had no stop bit
 inline constexpr std::uint32_t kLsrFeMask = 0x00000008;
-// bi (ro): The oldest character was a break.
-inline constexpr Field kLsrBi{.lsb = 4, .width = 1};
+inline constexpr Field kLsrBi{.lsb = 4, .width = 1};  // bi (ro): The oldest character was a break
 inline constexpr std::uint32_t kLsrBiMask = 0x00000010;
-// thre (ro): THR (or the transmit FIFO) is empty.
-inline constexpr Field kLsrThre{.lsb = 5, .width = 1};
+inline constexpr Field kLsrThre{.lsb = 5, .width = 1};  // thre (ro): THR (or the transmit FIFO) is empty
 inline constexpr std::uint32_t kLsrThreMask = 0x00000020;
-// temt (ro): thre is 1 and no character is being sent.
-inline constexpr Field kLsrTemt{.lsb = 6, .width = 1};
+inline constexpr Field kLsrTemt{.lsb = 6, .width = 1};  // temt (ro): thre is 1 and no character is being sent
 inline constexpr std::uint32_t kLsrTemtMask = 0x00000040;
 // fifo_error (ro): FIFOs on, and an unread pe, fe or bi, or an error of a character in the FIFO.
 inline constexpr Field kLsrFifoError{.lsb = 7, .width = 1};
@@ -129,35 +109,26 @@ inline constexpr std::uint32_t kLsrFifoErrorMask = 0x00000080;
 
 // MSR: Modem inputs; reading it clears bits 3:0.
 inline constexpr std::uint32_t kMsrOffset = 0x1018;
-// dcts (ro): cts has changed.
-inline constexpr Field kMsrDcts{.lsb = 0, .width = 1};
+inline constexpr Field kMsrDcts{.lsb = 0, .width = 1};  // dcts (ro): cts has changed
 inline constexpr std::uint32_t kMsrDctsMask = 0x00000001;
-// ddsr (ro): dsr has changed.
-inline constexpr Field kMsrDdsr{.lsb = 1, .width = 1};
+inline constexpr Field kMsrDdsr{.lsb = 1, .width = 1};  // ddsr (ro): dsr has changed
 inline constexpr std::uint32_t kMsrDdsrMask = 0x00000002;
-// teri (ro): ri has gone inactive.
-inline constexpr Field kMsrTeri{.lsb = 2, .width = 1};
+inline constexpr Field kMsrTeri{.lsb = 2, .width = 1};  // teri (ro): ri has gone inactive
 inline constexpr std::uint32_t kMsrTeriMask = 0x00000004;
-// ddcd (ro): dcd has changed.
-inline constexpr Field kMsrDdcd{.lsb = 3, .width = 1};
+inline constexpr Field kMsrDdcd{.lsb = 3, .width = 1};  // ddcd (ro): dcd has changed
 inline constexpr std::uint32_t kMsrDdcdMask = 0x00000008;
-// cts (ro): Clear to send; in loopback mcr.rts.
-inline constexpr Field kMsrCts{.lsb = 4, .width = 1};
+inline constexpr Field kMsrCts{.lsb = 4, .width = 1};  // cts (ro): Clear to send; in loopback mcr.rts
 inline constexpr std::uint32_t kMsrCtsMask = 0x00000010;
-// dsr (ro): Data set ready; in loopback mcr.dtr.
-inline constexpr Field kMsrDsr{.lsb = 5, .width = 1};
+inline constexpr Field kMsrDsr{.lsb = 5, .width = 1};  // dsr (ro): Data set ready; in loopback mcr.dtr
 inline constexpr std::uint32_t kMsrDsrMask = 0x00000020;
-// ri (ro): Ring indicator; in loopback mcr.out1.
-inline constexpr Field kMsrRi{.lsb = 6, .width = 1};
+inline constexpr Field kMsrRi{.lsb = 6, .width = 1};  // ri (ro): Ring indicator; in loopback mcr.out1
 inline constexpr std::uint32_t kMsrRiMask = 0x00000040;
-// dcd (ro): Carrier detect; in loopback mcr.out2.
-inline constexpr Field kMsrDcd{.lsb = 7, .width = 1};
+inline constexpr Field kMsrDcd{.lsb = 7, .width = 1};  // dcd (ro): Carrier detect; in loopback mcr.out2
 inline constexpr std::uint32_t kMsrDcdMask = 0x00000080;
 
 // SCR: Scratch.
 inline constexpr std::uint32_t kScrOffset = 0x101C;
-// value (rw): Free for software; has no effect.
-inline constexpr Field kScrValue{.lsb = 0, .width = 8};
+inline constexpr Field kScrValue{.lsb = 0, .width = 8};  // value (rw): Free for software; has no effect
 inline constexpr std::uint32_t kScrValueMask = 0x000000FF;
 inline constexpr std::uint32_t kScrValueReset = 0;
 

@@ -18,12 +18,10 @@ inline constexpr std::uint32_t kIdOffset = 0x00;
 inline constexpr Field kIdAxes{.lsb = 0, .width = 8};
 inline constexpr std::uint32_t kIdAxesMask = 0x000000FF;
 inline constexpr std::uint32_t kIdAxesReset = 6;
-// version (const): Register map version.
-inline constexpr Field kIdVersion{.lsb = 8, .width = 8};
+inline constexpr Field kIdVersion{.lsb = 8, .width = 8};  // version (const): Register map version
 inline constexpr std::uint32_t kIdVersionMask = 0x0000FF00;
 inline constexpr std::uint32_t kIdVersionReset = 1;
-// block (const): ASCII "EN".
-inline constexpr Field kIdBlock{.lsb = 16, .width = 16};
+inline constexpr Field kIdBlock{.lsb = 16, .width = 16};  // block (const): ASCII "EN"
 inline constexpr std::uint32_t kIdBlockMask = 0xFFFF0000;
 inline constexpr std::uint32_t kIdBlockReset = 0x454E;
 // The whole register.
@@ -39,8 +37,7 @@ inline constexpr std::uint32_t kDebounceTimeReset = 5;
 
 // INDEX_CHECK: Successive index latches must be 0 or COUNTS_PER_REV apart.
 inline constexpr std::uint32_t kIndexCheckOffset = 0x08;
-// enable (rw): Enables the check, one bit per axis.
-inline constexpr Field kIndexCheckEnable{.lsb = 0, .width = 6};
+inline constexpr Field kIndexCheckEnable{.lsb = 0, .width = 6};  // enable (rw): Enables the check, one bit per axis
 inline constexpr std::uint32_t kIndexCheckEnableMask = 0x0000003F;
 inline constexpr std::uint32_t kIndexCheckEnableReset = 0;
 
@@ -70,8 +67,7 @@ inline constexpr std::uint32_t kTriggerTimeCyclesMask = 0xFFFFFFFF;
 
 // INDEX_SEEN: Axes whose index has been latched since reset.
 inline constexpr std::uint32_t kIndexSeenOffset = 0x18;
-// axes (ro): INDEX_POSITION is valid.
-inline constexpr Field kIndexSeenAxes{.lsb = 0, .width = 6};
+inline constexpr Field kIndexSeenAxes{.lsb = 0, .width = 6};  // axes (ro): INDEX_POSITION is valid
 inline constexpr std::uint32_t kIndexSeenAxesMask = 0x0000003F;
 
 // KNOWN: Axes that count: A and B have been stable for DEBOUNCE.time since reset.
@@ -91,8 +87,7 @@ inline constexpr std::uint32_t kPositionValueMask = 0xFFFFFFFF;
 // KEY: Lock of the protected registers. Writing the key word unlocks them, any other write locks them. The key word is
 // 0x454E4B59.
 inline constexpr std::uint32_t kKeyOffset = 0x3C;
-// unlocked (key): The protected registers are unlocked.
-inline constexpr Field kKeyUnlocked{.lsb = 0, .width = 1};
+inline constexpr Field kKeyUnlocked{.lsb = 0, .width = 1};  // unlocked (key): The protected registers are unlocked
 inline constexpr std::uint32_t kKeyUnlockedMask = 0x00000001;
 // Writing this word unlocks the protected registers.
 inline constexpr std::uint32_t kKeyWord = 0x454E4B59;
@@ -101,8 +96,7 @@ inline constexpr std::uint32_t kKeyWord = 0x454E4B59;
 inline constexpr std::uint32_t kEdgeTimeOffset = 0x40;
 inline constexpr std::uint32_t kEdgeTimeCount = 6;
 inline constexpr std::uint32_t kEdgeTimeStride = 4;
-// cycles (ro, cycles): Same time base as TRIGGER_TIME.
-inline constexpr Field kEdgeTimeCycles{.lsb = 0, .width = 32};
+inline constexpr Field kEdgeTimeCycles{.lsb = 0, .width = 32};  // cycles (ro, cycles): Same time base as TRIGGER_TIME
 inline constexpr std::uint32_t kEdgeTimeCyclesMask = 0xFFFFFFFF;
 
 // INDEX_POSITION[6]: Position at the last rising index edge.
@@ -126,8 +120,7 @@ inline constexpr std::uint32_t kCountsPerRevValueReset = 10000;
 inline constexpr std::uint32_t kIllegalCountOffset = 0xA0;
 inline constexpr std::uint32_t kIllegalCountCount = 6;
 inline constexpr std::uint32_t kIllegalCountStride = 4;
-// value (ro, events): A and B changed at once.
-inline constexpr Field kIllegalCountValue{.lsb = 0, .width = 16};
+inline constexpr Field kIllegalCountValue{.lsb = 0, .width = 16};  // value (ro, events): A and B changed at once
 inline constexpr std::uint32_t kIllegalCountValueMask = 0x0000FFFF;
 
 // GLITCH_COUNT[6]: Filtered glitches on A, B or Z since reset, saturating.

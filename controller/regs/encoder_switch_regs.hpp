@@ -12,16 +12,13 @@ namespace armature::regs::encoder_switch {
 
 // ID: Identification and capability.
 inline constexpr std::uint32_t kIdOffset = 0x00;
-// axes (const): Number of encoders.
-inline constexpr Field kIdAxes{.lsb = 0, .width = 8};
+inline constexpr Field kIdAxes{.lsb = 0, .width = 8};  // axes (const): Number of encoders
 inline constexpr std::uint32_t kIdAxesMask = 0x000000FF;
 inline constexpr std::uint32_t kIdAxesReset = 6;
-// version (const): Register map version.
-inline constexpr Field kIdVersion{.lsb = 8, .width = 8};
+inline constexpr Field kIdVersion{.lsb = 8, .width = 8};  // version (const): Register map version
 inline constexpr std::uint32_t kIdVersionMask = 0x0000FF00;
 inline constexpr std::uint32_t kIdVersionReset = 1;
-// block (const): ASCII "SW".
-inline constexpr Field kIdBlock{.lsb = 16, .width = 16};
+inline constexpr Field kIdBlock{.lsb = 16, .width = 16};  // block (const): ASCII "SW"
 inline constexpr std::uint32_t kIdBlockMask = 0xFFFF0000;
 inline constexpr std::uint32_t kIdBlockReset = 0x5357;
 // The whole register.
@@ -30,8 +27,7 @@ inline constexpr std::uint32_t kIdWord = 0x53570106;
 // SELECT: The encoder that is decoded. Counts of the others are lost, and the switching itself may be decoded as a
 // count.
 inline constexpr std::uint32_t kSelectOffset = 0x04;
-// axis (rw): 0..5: axis 1..6; 6 and 7: none, all lines low.
-inline constexpr Field kSelectAxis{.lsb = 0, .width = 3};
+inline constexpr Field kSelectAxis{.lsb = 0, .width = 3};  // axis (rw): 0..5: axis 1..6; 6 and 7: none, all lines low
 inline constexpr std::uint32_t kSelectAxisMask = 0x00000007;
 inline constexpr std::uint32_t kSelectAxisReset = 0;
 

@@ -16,16 +16,13 @@ namespace armature::regs::pulse_train {
 
 // ID: Identification and capability.
 inline constexpr std::uint32_t kIdOffset = 0x00;
-// axes (const): Number of axes.
-inline constexpr Field kIdAxes{.lsb = 0, .width = 8};
+inline constexpr Field kIdAxes{.lsb = 0, .width = 8};  // axes (const): Number of axes
 inline constexpr std::uint32_t kIdAxesMask = 0x000000FF;
 inline constexpr std::uint32_t kIdAxesReset = 6;
-// version (const): Register map version.
-inline constexpr Field kIdVersion{.lsb = 8, .width = 8};
+inline constexpr Field kIdVersion{.lsb = 8, .width = 8};  // version (const): Register map version
 inline constexpr std::uint32_t kIdVersionMask = 0x0000FF00;
 inline constexpr std::uint32_t kIdVersionReset = 1;
-// block (const): ASCII "PT".
-inline constexpr Field kIdBlock{.lsb = 16, .width = 16};
+inline constexpr Field kIdBlock{.lsb = 16, .width = 16};  // block (const): ASCII "PT"
 inline constexpr std::uint32_t kIdBlockMask = 0xFFFF0000;
 inline constexpr std::uint32_t kIdBlockReset = 0x5054;
 // The whole register.
@@ -37,21 +34,17 @@ inline constexpr std::uint32_t kCtrlOffset = 0x04;
 inline constexpr Field kCtrlServoOn{.lsb = 0, .width = 6};
 inline constexpr std::uint32_t kCtrlServoOnMask = 0x0000003F;
 inline constexpr std::uint32_t kCtrlServoOnReset = 0;
-// run (rw): 1: a trigger without a committed set is an underrun.
-inline constexpr Field kCtrlRun{.lsb = 8, .width = 1};
+inline constexpr Field kCtrlRun{.lsb = 8, .width = 1};  // run (rw): 1: a trigger without a committed set is an underrun
 inline constexpr std::uint32_t kCtrlRunMask = 0x00000100;
 inline constexpr std::uint32_t kCtrlRunReset = 0;
 
 // STATUS: Present state.
 inline constexpr std::uint32_t kStatusOffset = 0x08;
-// estop (ro): Emergency stop is latched.
-inline constexpr Field kStatusEstop{.lsb = 0, .width = 1};
+inline constexpr Field kStatusEstop{.lsb = 0, .width = 1};  // estop (ro): Emergency stop is latched
 inline constexpr std::uint32_t kStatusEstopMask = 0x00000001;
-// watchdog (ro): Watchdog is latched.
-inline constexpr Field kStatusWatchdog{.lsb = 1, .width = 1};
+inline constexpr Field kStatusWatchdog{.lsb = 1, .width = 1};  // watchdog (ro): Watchdog is latched
 inline constexpr std::uint32_t kStatusWatchdogMask = 0x00000002;
-// estop_pin (ro): estop_ni is low now.
-inline constexpr Field kStatusEstopPin{.lsb = 2, .width = 1};
+inline constexpr Field kStatusEstopPin{.lsb = 2, .width = 1};  // estop_pin (ro): estop_ni is low now
 inline constexpr std::uint32_t kStatusEstopPinMask = 0x00000004;
 // pending (ro): A committed set is waiting for the trigger.
 inline constexpr Field kStatusPending{.lsb = 3, .width = 1};
@@ -62,8 +55,7 @@ inline constexpr std::uint32_t kStatusSequenceMask = 0xFFFF0000;
 
 // ESTOP: Software emergency stop and clear bits. A clear is refused while estop_ni is low.
 inline constexpr std::uint32_t kEstopOffset = 0x0C;
-// stop (pulse): Write 1: stop all axes now and latch.
-inline constexpr Field kEstopStop{.lsb = 0, .width = 1};
+inline constexpr Field kEstopStop{.lsb = 0, .width = 1};  // stop (pulse): Write 1: stop all axes now and latch
 inline constexpr std::uint32_t kEstopStopMask = 0x00000001;
 // clear_estop (pulse): Write 1: clear the latched emergency stop.
 inline constexpr Field kEstopClearEstop{.lsb = 1, .width = 1};
@@ -74,8 +66,7 @@ inline constexpr std::uint32_t kEstopClearWatchdogMask = 0x00000004;
 
 // FAULT: Sticky fault flags; FAULT_TIME[bit] is the time of the first event since the flag was last clear.
 inline constexpr std::uint32_t kFaultOffset = 0x10;
-// estop (w1c): Emergency stop by pin or register.
-inline constexpr Field kFaultEstop{.lsb = 0, .width = 1};
+inline constexpr Field kFaultEstop{.lsb = 0, .width = 1};  // estop (w1c): Emergency stop by pin or register
 inline constexpr std::uint32_t kFaultEstopMask = 0x00000001;
 // watchdog (w1c): WATCHDOG.limit underruns in a row, or no set became active for WATCHDOG.limit + 1 ticks of
 // TICK_CYCLES.
@@ -111,8 +102,7 @@ inline constexpr std::uint32_t kWatchdogIdleTicksMask = 0xFF000000;
 
 // UNDERRUNS: Underruns since reset, saturating.
 inline constexpr std::uint32_t kUnderrunsOffset = 0x18;
-// total (ro, ticks): Underruns since reset.
-inline constexpr Field kUnderrunsTotal{.lsb = 0, .width = 32};
+inline constexpr Field kUnderrunsTotal{.lsb = 0, .width = 32};  // total (ro, ticks): Underruns since reset
 inline constexpr std::uint32_t kUnderrunsTotalMask = 0xFFFFFFFF;
 
 // TICK_CYCLES: Length of the tick over which the pulses are spread; must equal the trigger period.
@@ -124,58 +114,48 @@ inline constexpr std::uint32_t kTickCyclesValueReset = 2500;
 
 // DIR_SETUP: Minimum time from a direction change to the next rising step edge.
 inline constexpr std::uint32_t kDirSetupOffset = 0x20;
-// value (rw, cycles): Direction set-up time.
-inline constexpr Field kDirSetupValue{.lsb = 0, .width = 10};
+inline constexpr Field kDirSetupValue{.lsb = 0, .width = 10};  // value (rw, cycles): Direction set-up time
 inline constexpr std::uint32_t kDirSetupValueMask = 0x000003FF;
 inline constexpr std::uint32_t kDirSetupValueReset = 25;
 
 // DIR_HOLD: Minimum time from the falling edge of the last pulse to a direction change.
 inline constexpr std::uint32_t kDirHoldOffset = 0x24;
-// value (rw, cycles): Direction hold time.
-inline constexpr Field kDirHoldValue{.lsb = 0, .width = 10};
+inline constexpr Field kDirHoldValue{.lsb = 0, .width = 10};  // value (rw, cycles): Direction hold time
 inline constexpr std::uint32_t kDirHoldValueMask = 0x000003FF;
 inline constexpr std::uint32_t kDirHoldValueReset = 25;
 
 // COMMIT: A write commits the six staged counts together; the next trigger makes them active. While a stop is active, a
 // commit is refused and a pending set is discarded.
 inline constexpr std::uint32_t kCommitOffset = 0x28;
-// sequence (rw): Sequence number of the set.
-inline constexpr Field kCommitSequence{.lsb = 0, .width = 16};
+inline constexpr Field kCommitSequence{.lsb = 0, .width = 16};  // sequence (rw): Sequence number of the set
 inline constexpr std::uint32_t kCommitSequenceMask = 0x0000FFFF;
 inline constexpr std::uint32_t kCommitSequenceReset = 0;
 
 // TIME: Free-running clock counter, the time base of FAULT_TIME.
 inline constexpr std::uint32_t kTimeOffset = 0x2C;
-// cycles (ro, cycles): Clock cycles since reset, wraps.
-inline constexpr Field kTimeCycles{.lsb = 0, .width = 32};
+inline constexpr Field kTimeCycles{.lsb = 0, .width = 32};  // cycles (ro, cycles): Clock cycles since reset, wraps
 inline constexpr std::uint32_t kTimeCyclesMask = 0xFFFFFFFF;
 
 // SWITCHES: Synchronised switch inputs, one bit per axis.
 inline constexpr std::uint32_t kSwitchesOffset = 0x30;
-// home (ro): home_i.
-inline constexpr Field kSwitchesHome{.lsb = 0, .width = 6};
+inline constexpr Field kSwitchesHome{.lsb = 0, .width = 6};  // home (ro): home_i
 inline constexpr std::uint32_t kSwitchesHomeMask = 0x0000003F;
-// limit_pos (ro): limit_pos_i.
-inline constexpr Field kSwitchesLimitPos{.lsb = 8, .width = 6};
+inline constexpr Field kSwitchesLimitPos{.lsb = 8, .width = 6};  // limit_pos (ro): limit_pos_i
 inline constexpr std::uint32_t kSwitchesLimitPosMask = 0x00003F00;
-// limit_neg (ro): limit_neg_i.
-inline constexpr Field kSwitchesLimitNeg{.lsb = 16, .width = 6};
+inline constexpr Field kSwitchesLimitNeg{.lsb = 16, .width = 6};  // limit_neg (ro): limit_neg_i
 inline constexpr std::uint32_t kSwitchesLimitNegMask = 0x003F0000;
 
 // DRIVES: Synchronised drive inputs, one bit per axis.
 inline constexpr std::uint32_t kDrivesOffset = 0x34;
-// alarm (ro): drive_alarm_i.
-inline constexpr Field kDrivesAlarm{.lsb = 0, .width = 6};
+inline constexpr Field kDrivesAlarm{.lsb = 0, .width = 6};  // alarm (ro): drive_alarm_i
 inline constexpr std::uint32_t kDrivesAlarmMask = 0x0000003F;
-// in_position (ro): in_position_i.
-inline constexpr Field kDrivesInPosition{.lsb = 8, .width = 6};
+inline constexpr Field kDrivesInPosition{.lsb = 8, .width = 6};  // in_position (ro): in_position_i
 inline constexpr std::uint32_t kDrivesInPositionMask = 0x00003F00;
 
 // KEY: Lock of the protected registers. Writing the key word unlocks them, any other write locks them. The key word is
 // 0x50544B59.
 inline constexpr std::uint32_t kKeyOffset = 0x3C;
-// unlocked (key): The protected registers are unlocked.
-inline constexpr Field kKeyUnlocked{.lsb = 0, .width = 1};
+inline constexpr Field kKeyUnlocked{.lsb = 0, .width = 1};  // unlocked (key): The protected registers are unlocked
 inline constexpr std::uint32_t kKeyUnlockedMask = 0x00000001;
 // Writing this word unlocks the protected registers.
 inline constexpr std::uint32_t kKeyWord = 0x50544B59;
@@ -193,8 +173,7 @@ inline constexpr std::int32_t kCountValueReset = 0;
 inline constexpr std::uint32_t kEmittedOffset = 0x60;
 inline constexpr std::uint32_t kEmittedCount = 6;
 inline constexpr std::uint32_t kEmittedStride = 4;
-// value (signed ro, pulses): Wraps at 32 bits.
-inline constexpr Field kEmittedValue{.lsb = 0, .width = 32};
+inline constexpr Field kEmittedValue{.lsb = 0, .width = 32};  // value (signed ro, pulses): Wraps at 32 bits
 inline constexpr std::uint32_t kEmittedValueMask = 0xFFFFFFFF;
 
 // RESIDUAL[6]: Active minus emitted pulses, summed over all finished ticks since reset. A set that a stop discarded is
@@ -210,8 +189,7 @@ inline constexpr std::uint32_t kResidualValueMask = 0xFFFFFFFF;
 inline constexpr std::uint32_t kFaultTimeOffset = 0xA0;
 inline constexpr std::uint32_t kFaultTimeCount = 6;
 inline constexpr std::uint32_t kFaultTimeStride = 4;
-// cycles (ro, cycles): Valid while FAULT bit i is set.
-inline constexpr Field kFaultTimeCycles{.lsb = 0, .width = 32};
+inline constexpr Field kFaultTimeCycles{.lsb = 0, .width = 32};  // cycles (ro, cycles): Valid while FAULT bit i is set
 inline constexpr std::uint32_t kFaultTimeCyclesMask = 0xFFFFFFFF;
 
 }  // namespace armature::regs::pulse_train

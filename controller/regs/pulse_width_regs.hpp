@@ -12,16 +12,13 @@ namespace armature::regs::pulse_width {
 
 // ID: Identification and capability.
 inline constexpr std::uint32_t kIdOffset = 0x00;
-// axes (const): Number of axes.
-inline constexpr Field kIdAxes{.lsb = 0, .width = 8};
+inline constexpr Field kIdAxes{.lsb = 0, .width = 8};  // axes (const): Number of axes
 inline constexpr std::uint32_t kIdAxesMask = 0x000000FF;
 inline constexpr std::uint32_t kIdAxesReset = 6;
-// version (const): Register map version.
-inline constexpr Field kIdVersion{.lsb = 8, .width = 8};
+inline constexpr Field kIdVersion{.lsb = 8, .width = 8};  // version (const): Register map version
 inline constexpr std::uint32_t kIdVersionMask = 0x0000FF00;
 inline constexpr std::uint32_t kIdVersionReset = 1;
-// block (const): ASCII "PW".
-inline constexpr Field kIdBlock{.lsb = 16, .width = 16};
+inline constexpr Field kIdBlock{.lsb = 16, .width = 16};  // block (const): ASCII "PW"
 inline constexpr std::uint32_t kIdBlockMask = 0xFFFF0000;
 inline constexpr std::uint32_t kIdBlockReset = 0x5057;
 // The whole register.
@@ -36,11 +33,9 @@ inline constexpr std::uint32_t kCtrlServoOnReset = 0;
 
 // STATUS: Present state.
 inline constexpr std::uint32_t kStatusOffset = 0x08;
-// estop (ro): Emergency stop is latched.
-inline constexpr Field kStatusEstop{.lsb = 0, .width = 1};
+inline constexpr Field kStatusEstop{.lsb = 0, .width = 1};  // estop (ro): Emergency stop is latched
 inline constexpr std::uint32_t kStatusEstopMask = 0x00000001;
-// estop_pin (ro): estop_ni is low now.
-inline constexpr Field kStatusEstopPin{.lsb = 2, .width = 1};
+inline constexpr Field kStatusEstopPin{.lsb = 2, .width = 1};  // estop_pin (ro): estop_ni is low now
 inline constexpr std::uint32_t kStatusEstopPinMask = 0x00000004;
 // armed (ro): WIDTH of the axis was written after reset and after the last stop; a trigger starts armed axes only.
 inline constexpr Field kStatusArmed{.lsb = 8, .width = 6};
@@ -48,8 +43,7 @@ inline constexpr std::uint32_t kStatusArmedMask = 0x00003F00;
 
 // ESTOP: Software emergency stop and clear bit. A clear is refused while estop_ni is low.
 inline constexpr std::uint32_t kEstopOffset = 0x0C;
-// stop (pulse): Write 1: stop all axes now and latch.
-inline constexpr Field kEstopStop{.lsb = 0, .width = 1};
+inline constexpr Field kEstopStop{.lsb = 0, .width = 1};  // stop (pulse): Write 1: stop all axes now and latch
 inline constexpr std::uint32_t kEstopStopMask = 0x00000001;
 // clear_estop (pulse): Write 1: clear the latched emergency stop.
 inline constexpr Field kEstopClearEstop{.lsb = 1, .width = 1};
@@ -57,35 +51,28 @@ inline constexpr std::uint32_t kEstopClearEstopMask = 0x00000002;
 
 // FAULT: Sticky fault flags.
 inline constexpr std::uint32_t kFaultOffset = 0x10;
-// estop (w1c): Emergency stop by pin or register.
-inline constexpr Field kFaultEstop{.lsb = 0, .width = 1};
+inline constexpr Field kFaultEstop{.lsb = 0, .width = 1};  // estop (w1c): Emergency stop by pin or register
 inline constexpr std::uint32_t kFaultEstopMask = 0x00000001;
 
 // TIME: Free-running clock counter, the time base of FAULT_TIME.
 inline constexpr std::uint32_t kTimeOffset = 0x2C;
-// cycles (ro, cycles): Clock cycles since reset, wraps.
-inline constexpr Field kTimeCycles{.lsb = 0, .width = 32};
+inline constexpr Field kTimeCycles{.lsb = 0, .width = 32};  // cycles (ro, cycles): Clock cycles since reset, wraps
 inline constexpr std::uint32_t kTimeCyclesMask = 0xFFFFFFFF;
 
 // SWITCHES: Synchronised switch inputs, one bit per axis.
 inline constexpr std::uint32_t kSwitchesOffset = 0x30;
-// home (ro): home_i.
-inline constexpr Field kSwitchesHome{.lsb = 0, .width = 6};
+inline constexpr Field kSwitchesHome{.lsb = 0, .width = 6};  // home (ro): home_i
 inline constexpr std::uint32_t kSwitchesHomeMask = 0x0000003F;
-// limit_pos (ro): limit_pos_i.
-inline constexpr Field kSwitchesLimitPos{.lsb = 8, .width = 6};
+inline constexpr Field kSwitchesLimitPos{.lsb = 8, .width = 6};  // limit_pos (ro): limit_pos_i
 inline constexpr std::uint32_t kSwitchesLimitPosMask = 0x00003F00;
-// limit_neg (ro): limit_neg_i.
-inline constexpr Field kSwitchesLimitNeg{.lsb = 16, .width = 6};
+inline constexpr Field kSwitchesLimitNeg{.lsb = 16, .width = 6};  // limit_neg (ro): limit_neg_i
 inline constexpr std::uint32_t kSwitchesLimitNegMask = 0x003F0000;
 
 // DRIVES: Synchronised drive inputs, one bit per axis.
 inline constexpr std::uint32_t kDrivesOffset = 0x34;
-// alarm (ro): drive_alarm_i.
-inline constexpr Field kDrivesAlarm{.lsb = 0, .width = 6};
+inline constexpr Field kDrivesAlarm{.lsb = 0, .width = 6};  // alarm (ro): drive_alarm_i
 inline constexpr std::uint32_t kDrivesAlarmMask = 0x0000003F;
-// in_position (ro): in_position_i.
-inline constexpr Field kDrivesInPosition{.lsb = 8, .width = 6};
+inline constexpr Field kDrivesInPosition{.lsb = 8, .width = 6};  // in_position (ro): in_position_i
 inline constexpr std::uint32_t kDrivesInPositionMask = 0x00003F00;
 
 // WIDTH[6]: Half period of the pulses. Every trigger samples it, so a value stays active until it is replaced.
@@ -108,8 +95,7 @@ inline constexpr std::uint32_t kEmittedValueMask = 0xFFFFFFFF;
 
 // FAULT_TIME: TIME at the first event of FAULT.estop.
 inline constexpr std::uint32_t kFaultTimeOffset = 0xA0;
-// cycles (ro, cycles): Valid while FAULT.estop is set.
-inline constexpr Field kFaultTimeCycles{.lsb = 0, .width = 32};
+inline constexpr Field kFaultTimeCycles{.lsb = 0, .width = 32};  // cycles (ro, cycles): Valid while FAULT.estop is set
 inline constexpr std::uint32_t kFaultTimeCyclesMask = 0xFFFFFFFF;
 
 }  // namespace armature::regs::pulse_width

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import textwrap
+
 from frames import SOURCE, Frames, Opcode, Page
-from text import comment
+from text import LINE, comment, noted
 
 
 def camel(name: str) -> str:
@@ -13,38 +15,35 @@ def camel(name: str) -> str:
 def _enum(name: str, what: str, rows: list[tuple[str, str, str]]) -> list[str]:
     lines = [*comment(what), f"enum class {name} : std::uint8_t {{"]
     for key, value, desc in rows:
-        lines += [*comment(f"{desc}.", "  "), f"  {camel(key)} = {value},"]
+        lines += noted(f"  {camel(key)} = {value},", desc)
     return lines + ["};", ""]
+
+
+def _cells(cells: list[str]) -> list[str]:
+    return textwrap.wrap(", ".join(cells) + ",", LINE, initial_indent="    ", subsequent_indent="    ")
 
 
 def _mask(names: tuple[str, ...], states: list[str]) -> str:
     return f"0x{sum(1 << states.index(name) for name in names):03X}"
 
 
-def _rule(opcode: Opcode, states: list[str]) -> list[str]:
-    def number(value: int) -> str:
-        return f"{value:_}".replace("_", "'")
-
-    return [
-        f"    {{.opcode = Opcode::{camel(opcode.name)},",
-        f'     .name = "{opcode.name}",',
-        f"     .parameter = {{{opcode.parameter.low}, {opcode.parameter.high}}},",
-        f"     .payload = {{{number(opcode.payload.low)}, {number(opcode.payload.high)}}},",
-        f"     .states = {_mask(opcode.states, states)},",
-        f"     .extended = {_mask(opcode.extended, states)},",
-        f"     .reply_only = {str(opcode.reply_only).lower()}}},",
+def _rule(opcode: Opcode, states: list[str]) -> str:
+    cells = [
+        f'Opcode::{camel(opcode.name)}, "{opcode.name}", {{{opcode.parameter.low}, {opcode.parameter.high}}}',
+        f"{{{opcode.payload.low:_}, {opcode.payload.high:_}}}".replace("_", "'"),
+        f"{_mask(opcode.states, states)}, {_mask(opcode.extended, states)}, {str(opcode.reply_only).lower()}",
     ]
+    return f"    {{{', '.join(cells)}}},"
 
 
 def _names(table: str, what: str, count: str, names: list[str]) -> list[str]:
     lines = [*comment(what), f"inline constexpr std::array<std::string_view, {count}> {table}{{"]
-    return lines + [f'    "{name}",' for name in names] + ["};", ""]
+    return lines + _cells([f'"{name}"' for name in names]) + ["};", ""]
 
 
 def _groups(pages: list[Page]) -> list[str]:
     groups = {number: page.group for page in pages for number in range(page.first, page.last + 1)}
-    cells = [f"{groups.get(number, 0)}," for number in range(max(groups) + 1)]
-    return ["    " + " ".join(cells[i : i + 16]) for i in range(0, len(cells), 16)]
+    return _cells([str(groups.get(number, 0)) for number in range(max(groups) + 1)])
 
 
 def _fields(pages: list[Page]) -> list[str]:
@@ -61,9 +60,9 @@ def _fields(pages: list[Page]) -> list[str]:
     ]
     for page in pages:
         for field in page.fields:
-            lines += comment(f"page {page.name}: {field.desc}.")
             name = f"{camel(page.name)}{camel(field.name)[1:]}"
-            lines.append(f"inline constexpr PageField {name}{{.shift = {field.shift}, .bits = {field.bits}}};")
+            code = f"inline constexpr PageField {name}{{.shift = {field.shift}, .bits = {field.bits}}};"
+            lines += noted(code, field.desc)
     lines.append("")
     for page in pages:
         for field in page.fields:
@@ -125,7 +124,7 @@ def header(frames: Frames) -> str:
     lines += [
         "// By State: the status of a command that is not admitted.",
         f"inline constexpr std::array<Status, {len(states)}> kRefusals{{",
-        *(f"    Status::{camel(state.refusal)}," for state in frames.states),
+        *_cells([f"Status::{camel(state.refusal)}" for state in frames.states]),
         "};",
         "",
         "struct ParameterRange {",
@@ -145,13 +144,11 @@ def header(frames: Frames) -> str:
         "};",
         f"inline constexpr std::array<OpcodeRule, {len(frames.opcodes)}> kOpcodeRules{{{{",
     ]
-    for opcode in frames.opcodes:
-        lines += _rule(opcode, states)
+    lines += [_rule(opcode, states) for opcode in frames.opcodes]
     lines += ["}};", "", "// Pages of the telemetry, by their first number.", "enum class Page : std::uint8_t {"]
     for page in frames.pages:
         number = str(page.first) if page.first == page.last else f"{page.first} to {page.last}"
-        lines += comment(f"{number}: {page.desc}; {page.value}.", "  ")
-        lines.append(f"  {camel(page.name)} = {page.first},")
+        lines += noted(f"  {camel(page.name)} = {page.first},", f"{number}: {page.desc}; {page.value}")
     lines += [
         "};",
         f"inline constexpr std::uint8_t kPages = {max(page.last for page in frames.pages) + 1};",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from model import STRIDE, Block, Field, Register, SocMap
 from names import camel
-from text import comment, header as first_line
+from text import comment, header as first_line, noted
 
 U32 = "inline constexpr std::uint32_t"
 
@@ -35,8 +35,10 @@ def _register(reg: Register) -> list[str]:
         name = f"k{camel(reg.name, field.name)}"
         unit = f", {field.unit}" if field.unit else ""
         sign = "signed " if field.signed else ""
-        lines += comment(f"{field.name} ({sign}{field.access.value}{unit}): {field.desc}.")
-        lines.append(f"inline constexpr Field {name}{{.lsb = {field.lsb}, .width = {field.width}}};")
+        lines += noted(
+            f"inline constexpr Field {name}{{.lsb = {field.lsb}, .width = {field.width}}};",
+            f"{field.name} ({sign}{field.access.value}{unit}): {field.desc}",
+        )
         lines.append(f"{U32} {name}Mask = 0x{field.mask:08X};")
         lines += _reset(reg, field)
     if reg.is_const and len(reg.fields) > 1:

@@ -15,6 +15,13 @@ def comment(text: str, indent: str = "", mark: str = "//") -> list[str]:
     return textwrap.wrap(text, LINE, initial_indent=prefix, subsequent_indent=prefix, break_on_hyphens=False)
 
 
+def noted(code: str, text: str) -> list[str]:
+    """A line of code with a comment behind it or, where there is no room for that, a comment block before it."""
+    line = f"{code}  // {text}"
+    indent = code[: len(code) - len(code.lstrip())]
+    return [line] if len(line) <= LINE else [*comment(f"{text}.", indent), code]
+
+
 def columns(rows: list[tuple[str, ...]], right: tuple[int, ...] = ()) -> list[str]:
     """Pads each column except the last to its widest cell, one blank apart. Columns in `right` are right-aligned."""
     widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))] if rows else []

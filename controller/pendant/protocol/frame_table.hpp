@@ -14,10 +14,8 @@ namespace armature::pendant {
 
 // The kind of a frame: the high half of its first byte.
 enum class Kind : std::uint8_t {
-  // from the pendant: one command; every command is answered by one reply.
-  kCommand = 0xA,
-  // from the pendant: six characters of a program, in the bytes 1 to 6.
-  kBulk = 0xD,
+  kCommand = 0xA,  // from the pendant: one command; every command is answered by one reply
+  kBulk = 0xD,  // from the pendant: six characters of a program, in the bytes 1 to 6
   // from the controller: answer to a command, with its sequence number; byte 1 is the opcode + 0x80, byte 2 the status.
   kReply = 0x5,
   // from the controller: one page of the state of the arm, without request; its sequence number counts the telemetry
@@ -27,242 +25,142 @@ enum class Kind : std::uint8_t {
 
 // What a reply says.
 enum class Status : std::uint8_t {
-  // done, or accepted.
-  kOk = 0,
-  // the arm executes something else.
-  kBusy = 1,
-  // the drives are off, or the controller has not started.
-  kNotReady = 2,
-  // the emergency stop is latched.
-  kEstopLatched = 3,
-  // an alarm is not reset.
-  kAlarm = 4,
-  // this controller cannot execute the command.
-  kUnknown = 5,
-  // the payload is out of its range.
-  kRange = 6,
-  // a joint would leave its range; payload: joint 1 to 6.
-  kSoftLimit = 7,
-  // the arm cannot reach the pose, or not on this path.
-  kIkFail = 8,
+  kOk = 0,  // done, or accepted
+  kBusy = 1,  // the arm executes something else
+  kNotReady = 2,  // the drives are off, or the controller has not started
+  kEstopLatched = 3,  // the emergency stop is latched
+  kAlarm = 4,  // an alarm is not reset
+  kUnknown = 5,  // this controller cannot execute the command
+  kRange = 6,  // the payload is out of its range
+  kSoftLimit = 7,  // a joint would leave its range; payload: joint 1 to 6
+  kIkFail = 8,  // the arm cannot reach the pose, or not on this path
   // not the expected sequence number: the command is not executed; payload: the expected number; -1 before the first
   // synchronisation.
   kBadSequence = 9,
-  // the check value does not fit to what was received, or something is missing.
-  kCheckFail = 10,
+  kCheckFail = 10,  // the check value does not fit to what was received, or something is missing
   // the program, or another breakpoint, has no room; payload: the largest number of characters or breakpoints; of
   // program_commit the first line without room.
   kStoreFull = 11,
-  // the program has an error; payload: line.
-  kParseError = 12,
-  // not in this state of the arm.
-  kMode = 13,
+  kParseError = 12,  // the program has an error; payload: line
+  kMode = 13,  // not in this state of the arm
 };
 
 // State of the arm.
 enum class State : std::uint8_t {
-  // the controller has not started the drives.
-  kOff = 0,
-  // the drives are off.
-  kIdle = 1,
-  // the drives are on, and the arm stands.
-  kReady = 2,
-  // a jog is under way.
-  kJog = 3,
-  // a move, or something else than a jog or a program, is under way.
-  kMove = 4,
-  // a program runs.
-  kRun = 5,
-  // a program is held.
-  kHold = 6,
-  // an alarm has stopped the arm.
-  kAlarm = 7,
-  // the emergency stop is latched.
-  kEstop = 8,
+  kOff = 0,  // the controller has not started the drives
+  kIdle = 1,  // the drives are off
+  kReady = 2,  // the drives are on, and the arm stands
+  kJog = 3,  // a jog is under way
+  kMove = 4,  // a move, or something else than a jog or a program, is under way
+  kRun = 5,  // a program runs
+  kHold = 6,  // a program is held
+  kAlarm = 7,  // an alarm has stopped the arm
+  kEstop = 8,  // the emergency stop is latched
 };
 
 // What a command does.
 enum class Opcode : std::uint8_t {
   // keeps the link alive; with parameter 1 begins a session: the next command has the sequence number after this one.
   kHeartbeat = 0x01,
-  // reads a page of the telemetry.
-  kGetStatus = 0x02,
-  // sends pages of the telemetry in each period.
-  kSetTelemetry = 0x03,
-  // acknowledges an alarm; the drives stay off.
-  kResetAlarm = 0x04,
-  // switches the drives; on is answered with alarm when the cause of an alarm persists.
-  kServo = 0x05,
-  // searches the home positions of axes, one after the other.
-  kHome = 0x06,
-  // brakes, and drops what the arm would have done.
-  kStop = 0x07,
-  // ends the emergency stop; reset_alarm and servo follow.
-  kEstopReset = 0x08,
-  // selects the coordinates of jogs and targets.
-  kSetCoordinates = 0x10,
-  // selects the user frame.
-  kSetUserFrame = 0x12,
-  // executes moves at a share of their speed.
-  kSpeedOverride = 0x13,
-  // limits the speed of jogs.
-  kJogLimit = 0x14,
+  kGetStatus = 0x02,  // reads a page of the telemetry
+  kSetTelemetry = 0x03,  // sends pages of the telemetry in each period
+  kResetAlarm = 0x04,  // acknowledges an alarm; the drives stay off
+  kServo = 0x05,  // switches the drives; on is answered with alarm when the cause of an alarm persists
+  kHome = 0x06,  // searches the home positions of axes, one after the other
+  kStop = 0x07,  // brakes, and drops what the arm would have done
+  kEstopReset = 0x08,  // ends the emergency stop; reset_alarm and servo follow
+  kSetCoordinates = 0x10,  // selects the coordinates of jogs and targets
+  kSetUserFrame = 0x12,  // selects the user frame
+  kSpeedOverride = 0x13,  // executes moves at a share of their speed
+  kJogLimit = 0x14,  // limits the speed of jogs
   // jogs an axis; the pendant repeats it at least every 50 ms, and after 100 ms without a repetition the axis stops.
   kJogContinuous = 0x20,
-  // moves an axis by a distance.
-  kJogIncrement = 0x21,
-  // ends a jog.
-  kJogStop = 0x22,
-  // stages one coordinate of the next move.
-  kTarget = 0x28,
-  // stages an option of the next move.
-  kTargetOption = 0x29,
-  // moves all joints to point 0; drops the staged values.
-  kMoveJoints = 0x2A,
-  // moves the tool to point 0 on a straight line; drops the staged values.
-  kMoveLine = 0x2B,
-  // moves the tool through point 0 to point 1 on an arc; drops the staged values.
-  kMoveArc = 0x2C,
-  // switches an output of the tool.
-  kSetOutput = 0x30,
-  // reads an input of the tool.
-  kReadInput = 0x31,
-  // begins the transfer of a program; bulk frames follow.
-  kProgramBegin = 0x40,
-  // ends the transfer and loads the program; a job is then selected.
-  kProgramCommit = 0x42,
-  // drops the transfer.
-  kProgramCancel = 0x43,
-  // selects the job that run begins with.
-  kProgramSelect = 0x47,
-  // acknowledges bulk frames; its sequence number is that of the next bulk frame.
-  kProgramData = 0x4F,
-  // starts the program.
-  kRun = 0x50,
-  // brakes on the path, ready to continue.
-  kHold = 0x51,
-  // continues after a hold.
-  kResume = 0x52,
-  // executes one line of a program that is held, after those that were sent ahead of the arm.
-  kStep = 0x53,
-  // ends the program.
-  kAbort = 0x54,
-  // the program pauses before a line, each time that it comes there.
-  kSetBreakpoint = 0x55,
-  // acknowledges an emergency stop.
-  kEstop = 0x7E,
-  // returns its payload, to test the line.
-  kEcho = 0x7F,
+  kJogIncrement = 0x21,  // moves an axis by a distance
+  kJogStop = 0x22,  // ends a jog
+  kTarget = 0x28,  // stages one coordinate of the next move
+  kTargetOption = 0x29,  // stages an option of the next move
+  kMoveJoints = 0x2A,  // moves all joints to point 0; drops the staged values
+  kMoveLine = 0x2B,  // moves the tool to point 0 on a straight line; drops the staged values
+  kMoveArc = 0x2C,  // moves the tool through point 0 to point 1 on an arc; drops the staged values
+  kSetOutput = 0x30,  // switches an output of the tool
+  kReadInput = 0x31,  // reads an input of the tool
+  kProgramBegin = 0x40,  // begins the transfer of a program; bulk frames follow
+  kProgramCommit = 0x42,  // ends the transfer and loads the program; a job is then selected
+  kProgramCancel = 0x43,  // drops the transfer
+  kProgramSelect = 0x47,  // selects the job that run begins with
+  kProgramData = 0x4F,  // acknowledges bulk frames; its sequence number is that of the next bulk frame
+  kRun = 0x50,  // starts the program
+  kHold = 0x51,  // brakes on the path, ready to continue
+  kResume = 0x52,  // continues after a hold
+  kStep = 0x53,  // executes one line of a program that is held, after those that were sent ahead of the arm
+  kAbort = 0x54,  // ends the program
+  kSetBreakpoint = 0x55,  // the program pauses before a line, each time that it comes there
+  kEstop = 0x7E,  // acknowledges an emergency stop
+  kEcho = 0x7F,  // returns its payload, to test the line
 };
 
 // Parameter of Opcode::kHeartbeat.
 enum class HeartbeatKind : std::uint8_t {
-  // heartbeat.
-  kAlive = 0,
-  // begin a session.
-  kBeginSession = 1,
+  kAlive = 0,  // heartbeat
+  kBeginSession = 1,  // begin a session
 };
 
 // Parameter of Opcode::kServo.
 enum class Drives : std::uint8_t {
-  // off.
-  kOff = 0,
-  // on.
-  kOn = 1,
+  kOff = 0,  // off
+  kOn = 1,  // on
 };
 
 // Parameter of Opcode::kSetCoordinates.
 enum class System : std::uint8_t {
-  // joints.
-  kJoints = 0,
-  // base.
-  kBase = 1,
-  // tool.
-  kTool = 2,
-  // user frame.
-  kUser = 3,
+  kJoints = 0,  // joints
+  kBase = 1,  // base
+  kTool = 2,  // tool
+  kUser = 3,  // user frame
 };
 
 // Parameter of Opcode::kTargetOption.
 enum class MoveOption : std::uint8_t {
-  // speed.
-  kSpeed = 0,
-  // acceleration.
-  kAcceleration = 1,
+  kSpeed = 0,  // speed
+  kAcceleration = 1,  // acceleration
 };
 
 // Parameter of Opcode::kProgramBegin.
 enum class Content : std::uint8_t {
-  // robot language (JBI).
-  kJob = 0,
-  // G-code.
-  kGcode = 1,
-  // another job of the program in the robot language.
-  kFurtherJob = 2,
+  kJob = 0,  // robot language (JBI)
+  kGcode = 1,  // G-code
+  kFurtherJob = 2,  // another job of the program in the robot language
 };
 
 // Parameter of Opcode::kRun.
 enum class RunMode : std::uint8_t {
-  // once.
-  kOnce = 0,
-  // step by step.
-  kSingleSteps = 1,
-  // again and again.
-  kAgain = 2,
+  kOnce = 0,  // once
+  kSingleSteps = 1,  // step by step
+  kAgain = 2,  // again and again
 };
 
 // Parameter of Opcode::kSetBreakpoint.
 enum class BreakpointAction : std::uint8_t {
-  // remove it.
-  kRemove = 0,
-  // set it.
-  kSet = 1,
-  // remove all.
-  kRemoveAll = 2,
+  kRemove = 0,  // remove it
+  kSet = 1,  // set it
+  kRemoveAll = 2,  // remove all
 };
 
 // Names for hosts, by number.
 inline constexpr std::array<std::string_view, 14> kStatusNames{
-    "ok",
-    "busy",
-    "not_ready",
-    "estop_latched",
-    "alarm",
-    "unknown",
-    "range",
-    "soft_limit",
-    "ik_fail",
-    "bad_sequence",
-    "check_fail",
-    "store_full",
-    "parse_error",
-    "mode",
+    "ok", "busy", "not_ready", "estop_latched", "alarm", "unknown", "range", "soft_limit", "ik_fail", "bad_sequence",
+    "check_fail", "store_full", "parse_error", "mode",
 };
 
 // Names for hosts, by number.
 inline constexpr std::array<std::string_view, 9> kStateNames{
-    "off",
-    "idle",
-    "ready",
-    "jog",
-    "move",
-    "run",
-    "hold",
-    "alarm",
-    "estop",
+    "off", "idle", "ready", "jog", "move", "run", "hold", "alarm", "estop",
 };
 
 // By State: the status of a command that is not admitted.
 inline constexpr std::array<Status, 9> kRefusals{
-    Status::kNotReady,
-    Status::kNotReady,
-    Status::kMode,
-    Status::kBusy,
-    Status::kBusy,
-    Status::kBusy,
-    Status::kBusy,
-    Status::kAlarm,
-    Status::kEstopLatched,
+    Status::kNotReady, Status::kNotReady, Status::kMode, Status::kBusy, Status::kBusy, Status::kBusy, Status::kBusy,
+    Status::kAlarm, Status::kEstopLatched,
 };
 
 struct ParameterRange {
@@ -281,267 +179,54 @@ struct OpcodeRule {
   bool reply_only = false;     // no command
 };
 inline constexpr std::array<OpcodeRule, 35> kOpcodeRules{{
-    {.opcode = Opcode::kHeartbeat,
-     .name = "heartbeat",
-     .parameter = {0, 1},
-     .payload = {0, 134'217'727},
-     .states = 0x1FF,
-     .extended = 0x000,
-     .reply_only = false},
-    {.opcode = Opcode::kGetStatus,
-     .name = "get_status",
-     .parameter = {0, 39},
-     .payload = {0, 0},
-     .states = 0x1FF,
-     .extended = 0x000,
-     .reply_only = false},
-    {.opcode = Opcode::kSetTelemetry,
-     .name = "set_telemetry",
-     .parameter = {0, 127},
-     .payload = {0, 10'000},
-     .states = 0x1FF,
-     .extended = 0x000,
-     .reply_only = false},
-    {.opcode = Opcode::kResetAlarm,
-     .name = "reset_alarm",
-     .parameter = {0, 0},
-     .payload = {0, 0},
-     .states = 0x086,
-     .extended = 0x000,
-     .reply_only = false},
-    {.opcode = Opcode::kServo,
-     .name = "servo",
-     .parameter = {0, 1},
-     .payload = {0, 0},
-     .states = 0x006,
-     .extended = 0x000,
-     .reply_only = false},
-    {.opcode = Opcode::kHome,
-     .name = "home",
-     .parameter = {1, 63},
-     .payload = {0, 0},
-     .states = 0x004,
-     .extended = 0x000,
-     .reply_only = false},
-    {.opcode = Opcode::kStop,
-     .name = "stop",
-     .parameter = {0, 0},
-     .payload = {0, 0},
-     .states = 0x05E,
-     .extended = 0x020,
-     .reply_only = false},
-    {.opcode = Opcode::kEstopReset,
-     .name = "estop_reset",
-     .parameter = {90, 90},
-     .payload = {939'785, 939'785},
-     .states = 0x100,
-     .extended = 0x000,
-     .reply_only = false},
-    {.opcode = Opcode::kSetCoordinates,
-     .name = "set_coordinates",
-     .parameter = {0, 3},
-     .payload = {0, 0},
-     .states = 0x006,
-     .extended = 0x000,
-     .reply_only = false},
-    {.opcode = Opcode::kSetUserFrame,
-     .name = "set_user_frame",
-     .parameter = {1, 16},
-     .payload = {0, 0},
-     .states = 0x006,
-     .extended = 0x000,
-     .reply_only = false},
-    {.opcode = Opcode::kSpeedOverride,
-     .name = "speed_override",
-     .parameter = {0, 0},
-     .payload = {100, 10'000},
-     .states = 0x016,
-     .extended = 0x060,
-     .reply_only = false},
-    {.opcode = Opcode::kJogLimit,
-     .name = "jog_limit",
-     .parameter = {0, 0},
-     .payload = {1, 10'000},
-     .states = 0x006,
-     .extended = 0x000,
-     .reply_only = false},
-    {.opcode = Opcode::kJogContinuous,
-     .name = "jog_continuous",
-     .parameter = {0, 5},
-     .payload = {-10'000, 10'000},
-     .states = 0x00C,
-     .extended = 0x000,
-     .reply_only = false},
-    {.opcode = Opcode::kJogIncrement,
-     .name = "jog_increment",
-     .parameter = {0, 5},
-     .payload = {-134'217'727, 134'217'727},
-     .states = 0x004,
-     .extended = 0x000,
-     .reply_only = false},
-    {.opcode = Opcode::kJogStop,
-     .name = "jog_stop",
-     .parameter = {0, 0},
-     .payload = {0, 0},
-     .states = 0x00C,
-     .extended = 0x000,
-     .reply_only = false},
-    {.opcode = Opcode::kTarget,
-     .name = "target",
-     .parameter = {0, 13},
-     .payload = {-134'217'727, 134'217'727},
-     .states = 0x006,
-     .extended = 0x000,
-     .reply_only = false},
-    {.opcode = Opcode::kTargetOption,
-     .name = "target_option",
-     .parameter = {0, 1},
-     .payload = {1, 10'000},
-     .states = 0x006,
-     .extended = 0x000,
-     .reply_only = false},
-    {.opcode = Opcode::kMoveJoints,
-     .name = "move_joints",
-     .parameter = {0, 0},
-     .payload = {0, 67'108'863},
-     .states = 0x004,
-     .extended = 0x000,
-     .reply_only = false},
-    {.opcode = Opcode::kMoveLine,
-     .name = "move_line",
-     .parameter = {0, 0},
-     .payload = {0, 67'108'863},
-     .states = 0x004,
-     .extended = 0x000,
-     .reply_only = false},
-    {.opcode = Opcode::kMoveArc,
-     .name = "move_arc",
-     .parameter = {0, 0},
-     .payload = {0, 67'108'863},
-     .states = 0x004,
-     .extended = 0x000,
-     .reply_only = false},
-    {.opcode = Opcode::kSetOutput,
-     .name = "set_output",
-     .parameter = {1, 16},
-     .payload = {0, 1},
-     .states = 0x004,
-     .extended = 0x000,
-     .reply_only = false},
-    {.opcode = Opcode::kReadInput,
-     .name = "read_input",
-     .parameter = {1, 16},
-     .payload = {0, 0},
-     .states = 0x1FF,
-     .extended = 0x000,
-     .reply_only = false},
-    {.opcode = Opcode::kProgramBegin,
-     .name = "program_begin",
-     .parameter = {0, 2},
-     .payload = {1, 134'217'727},
-     .states = 0x006,
-     .extended = 0x000,
-     .reply_only = false},
-    {.opcode = Opcode::kProgramCommit,
-     .name = "program_commit",
-     .parameter = {0, 0},
-     .payload = {0, 67'108'863},
-     .states = 0x006,
-     .extended = 0x000,
-     .reply_only = false},
-    {.opcode = Opcode::kProgramCancel,
-     .name = "program_cancel",
-     .parameter = {0, 0},
-     .payload = {0, 0},
-     .states = 0x1FF,
-     .extended = 0x000,
-     .reply_only = false},
-    {.opcode = Opcode::kProgramSelect,
-     .name = "program_select",
-     .parameter = {0, 31},
-     .payload = {0, 0},
-     .states = 0x006,
-     .extended = 0x000,
-     .reply_only = false},
-    {.opcode = Opcode::kProgramData,
-     .name = "program_data",
-     .parameter = {0, 0},
-     .payload = {0, 0},
-     .states = 0x000,
-     .extended = 0x000,
-     .reply_only = true},
-    {.opcode = Opcode::kRun,
-     .name = "run",
-     .parameter = {0, 2},
-     .payload = {0, 1'000'000},
-     .states = 0x004,
-     .extended = 0x000,
-     .reply_only = false},
-    {.opcode = Opcode::kHold,
-     .name = "hold",
-     .parameter = {0, 0},
-     .payload = {0, 0},
-     .states = 0x000,
-     .extended = 0x020,
-     .reply_only = false},
-    {.opcode = Opcode::kResume,
-     .name = "resume",
-     .parameter = {0, 0},
-     .payload = {0, 0},
-     .states = 0x040,
-     .extended = 0x000,
-     .reply_only = false},
-    {.opcode = Opcode::kStep,
-     .name = "step",
-     .parameter = {0, 0},
-     .payload = {0, 0},
-     .states = 0x040,
-     .extended = 0x000,
-     .reply_only = false},
-    {.opcode = Opcode::kAbort,
-     .name = "abort",
-     .parameter = {0, 0},
-     .payload = {0, 0},
-     .states = 0x040,
-     .extended = 0x020,
-     .reply_only = false},
-    {.opcode = Opcode::kSetBreakpoint,
-     .name = "set_breakpoint",
-     .parameter = {0, 2},
-     .payload = {0, 16'777'215},
-     .states = 0x046,
-     .extended = 0x020,
-     .reply_only = false},
-    {.opcode = Opcode::kEstop,
-     .name = "estop",
-     .parameter = {0, 0},
-     .payload = {0, 0},
-     .states = 0x000,
-     .extended = 0x000,
-     .reply_only = true},
-    {.opcode = Opcode::kEcho,
-     .name = "echo",
-     .parameter = {0, 127},
-     .payload = {-134'217'727, 134'217'727},
-     .states = 0x1FF,
-     .extended = 0x000,
-     .reply_only = false},
+    {Opcode::kHeartbeat, "heartbeat", {0, 1}, {0, 134'217'727}, 0x1FF, 0x000, false},
+    {Opcode::kGetStatus, "get_status", {0, 39}, {0, 0}, 0x1FF, 0x000, false},
+    {Opcode::kSetTelemetry, "set_telemetry", {0, 127}, {0, 10'000}, 0x1FF, 0x000, false},
+    {Opcode::kResetAlarm, "reset_alarm", {0, 0}, {0, 0}, 0x086, 0x000, false},
+    {Opcode::kServo, "servo", {0, 1}, {0, 0}, 0x006, 0x000, false},
+    {Opcode::kHome, "home", {1, 63}, {0, 0}, 0x004, 0x000, false},
+    {Opcode::kStop, "stop", {0, 0}, {0, 0}, 0x05E, 0x020, false},
+    {Opcode::kEstopReset, "estop_reset", {90, 90}, {939'785, 939'785}, 0x100, 0x000, false},
+    {Opcode::kSetCoordinates, "set_coordinates", {0, 3}, {0, 0}, 0x006, 0x000, false},
+    {Opcode::kSetUserFrame, "set_user_frame", {1, 16}, {0, 0}, 0x006, 0x000, false},
+    {Opcode::kSpeedOverride, "speed_override", {0, 0}, {100, 10'000}, 0x016, 0x060, false},
+    {Opcode::kJogLimit, "jog_limit", {0, 0}, {1, 10'000}, 0x006, 0x000, false},
+    {Opcode::kJogContinuous, "jog_continuous", {0, 5}, {-10'000, 10'000}, 0x00C, 0x000, false},
+    {Opcode::kJogIncrement, "jog_increment", {0, 5}, {-134'217'727, 134'217'727}, 0x004, 0x000, false},
+    {Opcode::kJogStop, "jog_stop", {0, 0}, {0, 0}, 0x00C, 0x000, false},
+    {Opcode::kTarget, "target", {0, 13}, {-134'217'727, 134'217'727}, 0x006, 0x000, false},
+    {Opcode::kTargetOption, "target_option", {0, 1}, {1, 10'000}, 0x006, 0x000, false},
+    {Opcode::kMoveJoints, "move_joints", {0, 0}, {0, 67'108'863}, 0x004, 0x000, false},
+    {Opcode::kMoveLine, "move_line", {0, 0}, {0, 67'108'863}, 0x004, 0x000, false},
+    {Opcode::kMoveArc, "move_arc", {0, 0}, {0, 67'108'863}, 0x004, 0x000, false},
+    {Opcode::kSetOutput, "set_output", {1, 16}, {0, 1}, 0x004, 0x000, false},
+    {Opcode::kReadInput, "read_input", {1, 16}, {0, 0}, 0x1FF, 0x000, false},
+    {Opcode::kProgramBegin, "program_begin", {0, 2}, {1, 134'217'727}, 0x006, 0x000, false},
+    {Opcode::kProgramCommit, "program_commit", {0, 0}, {0, 67'108'863}, 0x006, 0x000, false},
+    {Opcode::kProgramCancel, "program_cancel", {0, 0}, {0, 0}, 0x1FF, 0x000, false},
+    {Opcode::kProgramSelect, "program_select", {0, 31}, {0, 0}, 0x006, 0x000, false},
+    {Opcode::kProgramData, "program_data", {0, 0}, {0, 0}, 0x000, 0x000, true},
+    {Opcode::kRun, "run", {0, 2}, {0, 1'000'000}, 0x004, 0x000, false},
+    {Opcode::kHold, "hold", {0, 0}, {0, 0}, 0x000, 0x020, false},
+    {Opcode::kResume, "resume", {0, 0}, {0, 0}, 0x040, 0x000, false},
+    {Opcode::kStep, "step", {0, 0}, {0, 0}, 0x040, 0x000, false},
+    {Opcode::kAbort, "abort", {0, 0}, {0, 0}, 0x040, 0x020, false},
+    {Opcode::kSetBreakpoint, "set_breakpoint", {0, 2}, {0, 16'777'215}, 0x046, 0x020, false},
+    {Opcode::kEstop, "estop", {0, 0}, {0, 0}, 0x000, 0x000, true},
+    {Opcode::kEcho, "echo", {0, 127}, {-134'217'727, 134'217'727}, 0x1FF, 0x000, false},
 }};
 
 // Pages of the telemetry, by their first number.
 enum class Page : std::uint8_t {
-  // 0: state of the arm; state + 256 * coordinates + 4096 * drives on + 8192 * profile extended.
-  kState = 0,
-  // 1 to 6: position of joint 1 to 6, as the encoder has it; pulses.
-  kJoint = 1,
+  kState = 0,  // 0: state of the arm; state + 256 * coordinates + 4096 * drives on + 8192 * profile extended
+  kJoint = 1,  // 1 to 6: position of joint 1 to 6, as the encoder has it; pulses
   // 7: line of the program that the arm executes, 0: none; for G-code the whole value is the line; line + 65536 *
   // number of the job.
   kLine = 7,
   // 8 to 13: X Y Z Rx Ry Rz of the tool in the base frame, as the encoders have it; 0 for an arm without kinematics;
   // um, 0.0001 deg.
   kTool = 8,
-  // 14: cause of the alarm, and the axis 1 to 6 that caused it; 0: none; cause + 256 * axis.
-  kAlarm = 14,
+  kAlarm = 14,  // 14: cause of the alarm, and the axis 1 to 6 that caused it; 0: none; cause + 256 * axis
   // 15: state of the program; pending: its time has not come; 0 none, 1 ready, 2 pending, 3 runs, 4 paused, 5 held, 6
   // ended, 7 failed, 8 aborted.
   kProgram = 15,
@@ -549,17 +234,14 @@ enum class Page : std::uint8_t {
   // * kind (0 none, 1 message, 2 alarm, the text is the reason, 3 the arm did not carry out a line) + 262144 *
   // characters of the text.
   kMessage = 16,
-  // 17: line of the program that gave the message; as the page `line`.
-  kMessageLine = 17,
-  // 18 to 39: text of the message; 3 characters, the first one in the lowest byte; 0 behind the end.
-  kMessageText = 18,
+  kMessageLine = 17,  // 17: line of the program that gave the message; as the page `line`
+  kMessageText = 18,  // 18 to 39: text of the message; 3 characters, the first one in the lowest byte; 0 behind the end
 };
 inline constexpr std::uint8_t kPages = 40;
 // By page: its bit in the parameter of set_telemetry.
 inline constexpr std::array<std::uint8_t, kPages> kPageGroups{
-    1, 2, 2, 2, 2, 2, 2, 4, 8, 8, 8, 8, 8, 8, 16, 4,
-    32, 32, 64, 64, 64, 64, 64, 64, 64, 64, 64, 64, 64, 64, 64, 64,
-    64, 64, 64, 64, 64, 64, 64, 64,
+    1, 2, 2, 2, 2, 2, 2, 4, 8, 8, 8, 8, 8, 8, 16, 4, 32, 32, 64, 64, 64, 64, 64, 64, 64, 64, 64, 64, 64, 64, 64, 64, 64,
+    64, 64, 64, 64, 64, 64, 64,
 };
 inline constexpr std::uint8_t kAllPageGroups = 127;
 
@@ -572,60 +254,35 @@ struct PageField {
   // What this field adds to the value.
   [[nodiscard]] constexpr std::int32_t with(std::int32_t content) const noexcept { return content << shift; }
 };
-// page state: state.
-inline constexpr PageField kStateState{.shift = 0, .bits = 8};
-// page state: coordinates.
-inline constexpr PageField kStateCoordinates{.shift = 8, .bits = 4};
-// page state: drives on.
-inline constexpr PageField kStateDrivesOn{.shift = 12, .bits = 1};
-// page state: profile extended.
-inline constexpr PageField kStateExtended{.shift = 13, .bits = 1};
-// page line: line.
-inline constexpr PageField kLineLine{.shift = 0, .bits = 16};
-// page line: number of the job.
-inline constexpr PageField kLineJob{.shift = 16, .bits = 8};
-// page alarm: cause.
-inline constexpr PageField kAlarmCause{.shift = 0, .bits = 8};
-// page alarm: axis.
-inline constexpr PageField kAlarmAxis{.shift = 8, .bits = 4};
-// page message: number, one more for each.
-inline constexpr PageField kMessageNumber{.shift = 0, .bits = 16};
-// page message: kind (0 none, 1 message, 2 alarm, the text is the reason, 3 the arm did not carry out a line).
+inline constexpr PageField kStateState{.shift = 0, .bits = 8};  // state
+inline constexpr PageField kStateCoordinates{.shift = 8, .bits = 4};  // coordinates
+inline constexpr PageField kStateDrivesOn{.shift = 12, .bits = 1};  // drives on
+inline constexpr PageField kStateExtended{.shift = 13, .bits = 1};  // profile extended
+inline constexpr PageField kLineLine{.shift = 0, .bits = 16};  // line
+inline constexpr PageField kLineJob{.shift = 16, .bits = 8};  // number of the job
+inline constexpr PageField kAlarmCause{.shift = 0, .bits = 8};  // cause
+inline constexpr PageField kAlarmAxis{.shift = 8, .bits = 4};  // axis
+inline constexpr PageField kMessageNumber{.shift = 0, .bits = 16};  // number, one more for each
+// kind (0 none, 1 message, 2 alarm, the text is the reason, 3 the arm did not carry out a line).
 inline constexpr PageField kMessageKind{.shift = 16, .bits = 2};
-// page message: characters of the text.
-inline constexpr PageField kMessageLength{.shift = 18, .bits = 7};
+inline constexpr PageField kMessageLength{.shift = 18, .bits = 7};  // characters of the text
 
 // Names for hosts, by the value of the page program.
 inline constexpr std::array<std::string_view, 9> kProgramNames{
-    "none",
-    "ready",
-    "pending",
-    "runs",
-    "paused",
-    "held",
-    "ended",
-    "failed",
-    "aborted",
+    "none", "ready", "pending", "runs", "paused", "held", "ended", "failed", "aborted",
 };
 
 // Page message: kind.
 enum class MessageKind : std::uint8_t {
-  // none.
-  kNone = 0,
-  // message.
-  kMessage = 1,
-  // alarm, the text is the reason.
-  kAlarm = 2,
-  // the arm did not carry out a line.
-  kStopped = 3,
+  kNone = 0,  // none
+  kMessage = 1,  // message
+  kAlarm = 2,  // alarm, the text is the reason
+  kStopped = 3,  // the arm did not carry out a line
 };
 
 // Names for hosts, by number.
 inline constexpr std::array<std::string_view, 4> kMessageKindNames{
-    "none",
-    "message",
-    "alarm",
-    "stopped",
+    "none", "message", "alarm", "stopped",
 };
 
 // clang-format on

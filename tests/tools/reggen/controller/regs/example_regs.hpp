@@ -15,12 +15,10 @@ namespace armature::regs::example {
 
 // ID: Constants with a gap.
 inline constexpr std::uint32_t kIdOffset = 0x00;
-// version (const): Register map version.
-inline constexpr Field kIdVersion{.lsb = 0, .width = 8};
+inline constexpr Field kIdVersion{.lsb = 0, .width = 8};  // version (const): Register map version
 inline constexpr std::uint32_t kIdVersionMask = 0x000000FF;
 inline constexpr std::uint32_t kIdVersionReset = 3;
-// block (const): ASCII "EX".
-inline constexpr Field kIdBlock{.lsb = 16, .width = 16};
+inline constexpr Field kIdBlock{.lsb = 16, .width = 16};  // block (const): ASCII "EX"
 inline constexpr std::uint32_t kIdBlockMask = 0xFFFF0000;
 inline constexpr std::uint32_t kIdBlockReset = 0x4558;
 // The whole register.
@@ -28,78 +26,62 @@ inline constexpr std::uint32_t kIdWord = 0x45580003;
 
 // CTRL: Read and write.
 inline constexpr std::uint32_t kCtrlOffset = 0x04;
-// enable (rw): Listed after a higher field.
-inline constexpr Field kCtrlEnable{.lsb = 0, .width = 1};
+inline constexpr Field kCtrlEnable{.lsb = 0, .width = 1};  // enable (rw): Listed after a higher field
 inline constexpr std::uint32_t kCtrlEnableMask = 0x00000001;
 inline constexpr std::uint32_t kCtrlEnableReset = 0;
-// limit (rw): Touches three bytes.
-inline constexpr Field kCtrlLimit{.lsb = 4, .width = 16};
+inline constexpr Field kCtrlLimit{.lsb = 4, .width = 16};  // limit (rw): Touches three bytes
 inline constexpr std::uint32_t kCtrlLimitMask = 0x000FFFF0;
 inline constexpr std::uint32_t kCtrlLimitReset = 0xBEEF;
-// run (rw): 1 runs | 0 stops.
-inline constexpr Field kCtrlRun{.lsb = 31, .width = 1};
+inline constexpr Field kCtrlRun{.lsb = 31, .width = 1};  // run (rw): 1 runs | 0 stops
 inline constexpr std::uint32_t kCtrlRunMask = 0x80000000;
 inline constexpr std::uint32_t kCtrlRunReset = 1;
 
 // STATUS: Read only.
 inline constexpr std::uint32_t kStatusOffset = 0x08;
-// busy (ro): Live state.
-inline constexpr Field kStatusBusy{.lsb = 0, .width = 1};
+inline constexpr Field kStatusBusy{.lsb = 0, .width = 1};  // busy (ro): Live state
 inline constexpr std::uint32_t kStatusBusyMask = 0x00000001;
-// level (ro, mV): Has a unit.
-inline constexpr Field kStatusLevel{.lsb = 8, .width = 8};
+inline constexpr Field kStatusLevel{.lsb = 8, .width = 8};  // level (ro, mV): Has a unit
 inline constexpr std::uint32_t kStatusLevelMask = 0x0000FF00;
 
 // EVENT: Write 1 to clear.
 inline constexpr std::uint32_t kEventOffset = 0x0C;
-// over (w1c): One flag.
-inline constexpr Field kEventOver{.lsb = 0, .width = 1};
+inline constexpr Field kEventOver{.lsb = 0, .width = 1};  // over (w1c): One flag
 inline constexpr std::uint32_t kEventOverMask = 0x00000001;
-// lost (w1c): Eight flags in two bytes.
-inline constexpr Field kEventLost{.lsb = 4, .width = 8};
+inline constexpr Field kEventLost{.lsb = 4, .width = 8};  // lost (w1c): Eight flags in two bytes
 inline constexpr std::uint32_t kEventLostMask = 0x00000FF0;
 
 // KICK: Pulses only.
 inline constexpr std::uint32_t kKickOffset = 0x10;
-// now (pulse): One line.
-inline constexpr Field kKickNow{.lsb = 0, .width = 1};
+inline constexpr Field kKickNow{.lsb = 0, .width = 1};  // now (pulse): One line
 inline constexpr std::uint32_t kKickNowMask = 0x00000001;
-// axis (pulse): Two lines.
-inline constexpr Field kKickAxis{.lsb = 8, .width = 2};
+inline constexpr Field kKickAxis{.lsb = 8, .width = 2};  // axis (pulse): Two lines
 inline constexpr std::uint32_t kKickAxisMask = 0x00000300;
 
 // GO: Tells of each write.
 inline constexpr std::uint32_t kGoOffset = 0x14;
-// sequence (rw): Already new while go_we_o is 1.
-inline constexpr Field kGoSequence{.lsb = 0, .width = 16};
+inline constexpr Field kGoSequence{.lsb = 0, .width = 16};  // sequence (rw): Already new while go_we_o is 1
 inline constexpr std::uint32_t kGoSequenceMask = 0x0000FFFF;
 inline constexpr std::uint32_t kGoSequenceReset = 0;
 
 // MIXED: All kinds in one word.
 inline constexpr std::uint32_t kMixedOffset = 0x18;
-// limit (rw, ticks): Storage.
-inline constexpr Field kMixedLimit{.lsb = 0, .width = 8};
+inline constexpr Field kMixedLimit{.lsb = 0, .width = 8};  // limit (rw, ticks): Storage
 inline constexpr std::uint32_t kMixedLimitMask = 0x000000FF;
 inline constexpr std::uint32_t kMixedLimitReset = 7;
-// seen (ro, ticks): Input.
-inline constexpr Field kMixedSeen{.lsb = 8, .width = 8};
+inline constexpr Field kMixedSeen{.lsb = 8, .width = 8};  // seen (ro, ticks): Input
 inline constexpr std::uint32_t kMixedSeenMask = 0x0000FF00;
-// hit (w1c): Flag.
-inline constexpr Field kMixedHit{.lsb = 16, .width = 1};
+inline constexpr Field kMixedHit{.lsb = 16, .width = 1};  // hit (w1c): Flag
 inline constexpr std::uint32_t kMixedHitMask = 0x00010000;
-// shot (pulse): Command.
-inline constexpr Field kMixedShot{.lsb = 24, .width = 1};
+inline constexpr Field kMixedShot{.lsb = 24, .width = 1};  // shot (pulse): Command
 inline constexpr std::uint32_t kMixedShotMask = 0x01000000;
-// kind (const): Constant.
-inline constexpr Field kMixedKind{.lsb = 28, .width = 4};
+inline constexpr Field kMixedKind{.lsb = 28, .width = 4};  // kind (const): Constant
 inline constexpr std::uint32_t kMixedKindMask = 0xF0000000;
 inline constexpr std::uint32_t kMixedKindReset = 9;
 
 // KEY: Lock of the protected registers. Writing the key word unlocks them, any other write locks them. The key word is
 // 0x0BADC0DE.
 inline constexpr std::uint32_t kKeyOffset = 0x1C;
-// unlocked (key): The protected registers are unlocked.
-inline constexpr Field kKeyUnlocked{.lsb = 0, .width = 1};
+inline constexpr Field kKeyUnlocked{.lsb = 0, .width = 1};  // unlocked (key): The protected registers are unlocked
 inline constexpr std::uint32_t kKeyUnlockedMask = 0x00000001;
 // Writing this word unlocks the protected registers.
 inline constexpr std::uint32_t kKeyWord = 0x0BADC0DE;
@@ -108,8 +90,7 @@ inline constexpr std::uint32_t kKeyWord = 0x0BADC0DE;
 inline constexpr std::uint32_t kGainOffset = 0x20;
 inline constexpr std::uint32_t kGainCount = 3;
 inline constexpr std::uint32_t kGainStride = 4;
-// value (signed rw, counts): Negative reset.
-inline constexpr Field kGainValue{.lsb = 0, .width = 12};
+inline constexpr Field kGainValue{.lsb = 0, .width = 12};  // value (signed rw, counts): Negative reset
 inline constexpr std::uint32_t kGainValueMask = 0x00000FFF;
 inline constexpr std::int32_t kGainValueReset = -5;
 
@@ -117,16 +98,14 @@ inline constexpr std::int32_t kGainValueReset = -5;
 inline constexpr std::uint32_t kLevelOffset = 0x30;
 inline constexpr std::uint32_t kLevelCount = 2;
 inline constexpr std::uint32_t kLevelStride = 4;
-// value (signed ro, counts): Whole word.
-inline constexpr Field kLevelValue{.lsb = 0, .width = 32};
+inline constexpr Field kLevelValue{.lsb = 0, .width = 32};  // value (signed ro, counts): Whole word
 inline constexpr std::uint32_t kLevelValueMask = 0xFFFFFFFF;
 
 // SLOT[2]: Array with one strobe per element.
 inline constexpr std::uint32_t kSlotOffset = 0x38;
 inline constexpr std::uint32_t kSlotCount = 2;
 inline constexpr std::uint32_t kSlotStride = 4;
-// value (rw): Second byte.
-inline constexpr Field kSlotValue{.lsb = 8, .width = 8};
+inline constexpr Field kSlotValue{.lsb = 8, .width = 8};  // value (rw): Second byte
 inline constexpr std::uint32_t kSlotValueMask = 0x0000FF00;
 inline constexpr std::uint32_t kSlotValueReset = 0x5A;
 
@@ -134,34 +113,28 @@ inline constexpr std::uint32_t kSlotValueReset = 0x5A;
 inline constexpr std::uint32_t kAlarmOffset = 0x40;
 inline constexpr std::uint32_t kAlarmCount = 2;
 inline constexpr std::uint32_t kAlarmStride = 4;
-// any (w1c): One flag per element.
-inline constexpr Field kAlarmAny{.lsb = 0, .width = 1};
+inline constexpr Field kAlarmAny{.lsb = 0, .width = 1};  // any (w1c): One flag per element
 inline constexpr std::uint32_t kAlarmAnyMask = 0x00000001;
-// lines (w1c): Four flags per element in two bytes.
-inline constexpr Field kAlarmLines{.lsb = 7, .width = 4};
+inline constexpr Field kAlarmLines{.lsb = 7, .width = 4};  // lines (w1c): Four flags per element in two bytes
 inline constexpr std::uint32_t kAlarmLinesMask = 0x00000780;
 
 // CORE: Kept by the core.
 inline constexpr std::uint32_t kCoreOffset = 0x48;
-// mode (rw): Its reset is the core's affair.
-inline constexpr Field kCoreMode{.lsb = 0, .width = 4};
+inline constexpr Field kCoreMode{.lsb = 0, .width = 4};  // mode (rw): Its reset is the core's affair
 inline constexpr std::uint32_t kCoreModeMask = 0x0000000F;
-// done (w1c): Its flag too.
-inline constexpr Field kCoreDone{.lsb = 8, .width = 1};
+inline constexpr Field kCoreDone{.lsb = 8, .width = 1};  // done (w1c): Its flag too
 inline constexpr std::uint32_t kCoreDoneMask = 0x00000100;
 
 // PROBE: Kept by the core, read only.
 inline constexpr std::uint32_t kProbeOffset = 0x4C;
-// value (ro): Reading may have a side effect.
-inline constexpr Field kProbeValue{.lsb = 0, .width = 32};
+inline constexpr Field kProbeValue{.lsb = 0, .width = 32};  // value (ro): Reading may have a side effect
 inline constexpr std::uint32_t kProbeValueMask = 0xFFFFFFFF;
 
 // FIRE[2]: Array of pulses.
 inline constexpr std::uint32_t kFireOffset = 0x50;
 inline constexpr std::uint32_t kFireCount = 2;
 inline constexpr std::uint32_t kFireStride = 4;
-// line (pulse): Two lines per element.
-inline constexpr Field kFireLine{.lsb = 1, .width = 2};
+inline constexpr Field kFireLine{.lsb = 1, .width = 2};  // line (pulse): Two lines per element
 inline constexpr std::uint32_t kFireLineMask = 0x00000006;
 
 }  // namespace armature::regs::example
