@@ -10,32 +10,32 @@
 #pragma once
 
 #include <string_view>
-#include <tuple>
-#include <type_traits>
 
 #include "controller/base/pretty_name.hpp"
 
 namespace armature {
 
-template <class Owner, class T>
-struct Member {
+template <class T>
+struct NamedType {
   using Type = T;
   const char* name;
-  T Owner::*at;
 };
-template <class Owner, class T>
-Member(const char*, T Owner::*) -> Member<Owner, T>;
 
 template <class T>
 concept HasMembers = requires {
-  T::members();
+  &T::lists_all_members;
 };
 
 // Calls visit(name, member) for each member of `value`, in the order of the list.
 template <HasMembers T, class Visit>
 constexpr void for_each_member(T& value, Visit visit) {
-  std::apply([&](const auto&... member) { (visit(member.name, value.*member.at), ...); },
-             std::remove_const_t<T>::members());
+  T::visit_members(value, visit);
+}
+
+// Calls visit(NamedType) for each member of T, in the order of the list.
+template <HasMembers T, class Visit>
+constexpr void for_each_member_type(Visit visit) {
+  T::visit_types(visit);
 }
 
 // `JogEnded` of armature::JogEnded.
@@ -46,19 +46,29 @@ template <class T>
 
 }  // namespace armature
 
-// Type::members() is a tuple of Member. A structured binding needs a name for each member, so the second function
-// compiles only if all are listed.
-#define ARMATURE_MEMBERS(Type, ...)                                                          \
-  [[nodiscard]] static constexpr auto members() noexcept {                                   \
-    return std::tuple{__VA_OPT__(ARMATURE_EXPAND(ARMATURE_NEXT_MEMBER(Type, __VA_ARGS__)))}; \
-  }                                                                                          \
-  static constexpr void lists_all_members([[maybe_unused]] const Type& value) noexcept {     \
-    __VA_OPT__([[maybe_unused]] const auto& [__VA_ARGS__] = value;)                          \
+// Calls, and no tuple of the members: a compiler takes a multiple of the time for a tuple. A structured binding needs a
+// name for each member, so the last function compiles only if all are listed.
+#define ARMATURE_MEMBERS(Type, ...)                                                                   \
+  template <class Value, class Visit>                                                                 \
+  static constexpr void visit_members([[maybe_unused]] Value& value, [[maybe_unused]] Visit& visit) { \
+    __VA_OPT__(ARMATURE_EXPAND(ARMATURE_VISIT_MEMBER(__VA_ARGS__)))                                   \
+  }                                                                                                   \
+  template <class Visit>                                                                              \
+  static constexpr void visit_types([[maybe_unused]] Visit& visit) {                                  \
+    __VA_OPT__(ARMATURE_EXPAND(ARMATURE_VISIT_TYPE(Type, __VA_ARGS__)))                               \
+  }                                                                                                   \
+  static constexpr void lists_all_members([[maybe_unused]] const Type& value) noexcept {              \
+    __VA_OPT__([[maybe_unused]] const auto& [__VA_ARGS__] = value;)                                   \
   }
 
-#define ARMATURE_NEXT_MEMBER(Type, name, ...) \
-  ::armature::Member{#name, &Type::name} __VA_OPT__(, ARMATURE_AGAIN ARMATURE_PARENS(Type, __VA_ARGS__))
-#define ARMATURE_AGAIN() ARMATURE_NEXT_MEMBER
+#define ARMATURE_VISIT_MEMBER(name, ...) \
+  visit(#name, value.name);              \
+  __VA_OPT__(ARMATURE_VISIT_MEMBER_AGAIN ARMATURE_PARENS(__VA_ARGS__))
+#define ARMATURE_VISIT_MEMBER_AGAIN() ARMATURE_VISIT_MEMBER
+#define ARMATURE_VISIT_TYPE(Type, name, ...)                 \
+  visit(::armature::NamedType<decltype(Type::name)>{#name}); \
+  __VA_OPT__(ARMATURE_VISIT_TYPE_AGAIN ARMATURE_PARENS(Type, __VA_ARGS__))
+#define ARMATURE_VISIT_TYPE_AGAIN() ARMATURE_VISIT_TYPE
 #define ARMATURE_PARENS ()
 // Up to 64 members.
 #define ARMATURE_EXPAND(...) ARMATURE_EXPAND3(ARMATURE_EXPAND3(ARMATURE_EXPAND3(ARMATURE_EXPAND3(__VA_ARGS__))))

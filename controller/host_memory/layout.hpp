@@ -93,13 +93,18 @@ template <Scalar T>
   if constexpr (std::is_same_v<Number, std::uint8_t>) return std::is_same_v<T, bool> ? "flag" : "u8";
 }
 
+// For a walk that asks for the end only: the words of enumerations cost the compiler most of its time.
+struct NoFields {
+  constexpr void operator()(const Field&) const {}
+};
+
 // Calls emit(Field) for each scalar of a value that begins at the first free byte `at`, and once for an array or a
 // matrix of numbers. Returns its end.
 template <class T, class Emit>
 constexpr std::size_t describe(std::size_t at, const NamePart& name, Emit& emit, std::size_t count = 1) {
   if constexpr (Scalar<T>) {
     std::span<const std::string_view> words;
-    if constexpr (std::is_enum_v<T>) words = kWordsOf<T>;
+    if constexpr (std::is_enum_v<T> && !std::is_same_v<Emit, NoFields>) words = kWordsOf<T>;
     const std::size_t bytes = count * sizeof(NumberOf<T>);
     emit(Field{aligned<T>(at), type_name<T>(), count, bytes, &name, words});
     return aligned<T>(at) + bytes;
@@ -109,11 +114,10 @@ constexpr std::size_t describe(std::size_t at, const NamePart& name, Emit& emit,
     at = describe<bool>(at, NamePart{&name, "has_value"}, emit);
     return describe<typename T::value_type>(at, name, emit);
   } else if constexpr (HasMembers<T>) {
-    const auto describe_member = [&]<class M>(const M& member) {
+    for_each_member_type<T>([&]<class M>(const M& member) {
       const NamePart part{&name, member.name};
       at = describe<typename M::Type>(at, part, emit);
-    };
-    std::apply([&](const auto&... member) { (describe_member(member), ...); }, T::members());
+    });
     return at;
   } else if constexpr (HasMembers<typename T::value_type> || Optional<typename T::value_type>) {
     for (std::size_t i = 0; i < std::tuple_size_v<T>; ++i) {
@@ -128,7 +132,7 @@ constexpr std::size_t describe(std::size_t at, const NamePart& name, Emit& emit,
 // The end of a value that begins at the first free byte `at`.
 template <class T>
 [[nodiscard]] constexpr std::size_t end_of(std::size_t at) noexcept {
-  auto ignore = [](const Field&) {};
+  NoFields ignore;
   return describe<T>(at, NamePart{}, ignore);
 }
 
