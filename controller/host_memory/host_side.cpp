@@ -16,6 +16,14 @@ bool HostSide::submit(Source source, const Command& command) noexcept {
   return memory_.commands[static_cast<std::size_t>(source)].try_push(encode(command));
 }
 
+bool HostSide::has_room(Source source) const noexcept {
+  return !memory_.commands[static_cast<std::size_t>(source)].is_full();
+}
+
+bool HostSide::has_events() const noexcept {
+  return !memory_.core0_events.is_empty() || !memory_.core1_events.is_empty();
+}
+
 void HostSide::publish_belt(std::int64_t counts) noexcept {
   std::atomic_ref<std::int64_t>{memory_.belt_counts}.store(counts, std::memory_order_release);
 }

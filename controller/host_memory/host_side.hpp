@@ -26,6 +26,10 @@ class HostSide {
   // Publishes the count of the encoder of the conveyor. The controller reads the latest one in each tick.
   void publish_belt(std::int64_t counts) noexcept;
 
+  // Whether submit() has room for a command of the source.
+  [[nodiscard]] bool has_room(Source source) const noexcept;
+
+  [[nodiscard]] bool has_events() const noexcept;
   // The oldest unread event; events of core 0 come first.
   [[nodiscard]] std::optional<Event> next_event() noexcept;
   // Number of events for which a ring had no room. They are lost, so the host's information is incomplete.

@@ -38,6 +38,9 @@ struct Ring {
     count.store(count.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
   }
 
+  [[nodiscard]] bool is_empty() const noexcept { return used() == 0; }
+  [[nodiscard]] bool is_full() const noexcept { return used() == kSlots; }
+
   // Consumer. The oldest one, nothing when the ring is empty.
   [[nodiscard]] std::optional<T> try_pop() noexcept {
     std::atomic_ref<std::uint32_t> head{read};
@@ -46,6 +49,11 @@ struct Ring {
     std::optional<T> value{slots[at % kSlots]};
     head.store(at + 1, std::memory_order_release);
     return value;
+  }
+
+ private:
+  [[nodiscard]] std::uint32_t used() const noexcept {
+    return __atomic_load_n(&written, __ATOMIC_ACQUIRE) - __atomic_load_n(&read, __ATOMIC_ACQUIRE);
   }
 };
 

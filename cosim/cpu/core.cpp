@@ -1,19 +1,36 @@
 #include "cosim/cpu/core.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace armature::cosim {
 namespace {
 
+constexpr Cycles kForever{std::numeric_limits<std::int64_t>::max()};
+
 constexpr std::uint32_t bits(Interrupts lines) {
   return static_cast<std::uint32_t>(lines);
+}
+
+// Whether all work of core 0 takes time. Work that takes none ends in the same cycle or in the next one: that depends
+// on what the simulation does in this cycle, which a core that is ahead does not know.
+bool takes_time(const CpuSpec& spec) {
+  return std::min({spec.interrupt_entry_cycles, spec.tick_compute_cycles, spec.retarget_compute_cycles,
+                   spec.inverse_compute_cycles}) > 0;
 }
 
 }  // namespace
 
 Core::Core(int number, const CpuSpec& spec, Main main)
-    : number_{number}, spec_{spec}, fiber_{[this, main = std::move(main)] { main(*this); }} {}
+    : number_{number}, spec_{spec}, takes_time_{takes_time(spec)}, fiber_{[this, main = std::move(main)] {
+        main(*this);
+      }} {}
+
+void Core::run_ahead(RunAhead& simulation, const Core& other) {
+  simulation_ = &simulation;
+  other_ = &other;
+}
 
 CoreState Core::state() const {
   switch (wait_) {
@@ -60,9 +77,9 @@ void Core::halt(Cycles now) {
   wait_ = Wait::kHalted;
 }
 
-void Core::set_interrupt_levels(Interrupts levels, Cycles now) {
-  levels_ = levels;
-  wake_if_interrupted(now);
+void Core::set_tick_compute(std::int64_t cycles) {
+  spec_.tick_compute_cycles = cycles;
+  takes_time_ = takes_time(spec_);
 }
 
 void Core::set_event(Cycles now) {
@@ -80,6 +97,7 @@ void Core::wake_if_interrupted(Cycles now) {
 
 void Core::resume(Cycles now) {
   now_ = now;
+  is_ahead_ = false;
   wait_ = Wait::kNothing;
   fiber_.resume();
 }
@@ -91,7 +109,48 @@ Interrupts Core::active(Interrupts mask) const {
 
 // ---- called from inside the fiber ----
 
+// The cycle before which this core runs alone; its own cycle or an earlier one if it does not.
+Cycles Core::horizon() const {
+  if (simulation_ == nullptr || !takes_time_ || event_sent_ || simulation_->host_must_read()) return now_;
+  return is_ahead_ ? horizon_ : std::min(simulation_->horizon(), other_->quiet_until());
+}
+
+// The cycle before which the core does nothing unless it is notified or interrupted; 0 if it may do something now.
+Cycles Core::quiet_until() const {
+  switch (wait_) {
+    case Wait::kInterrupt:
+      return active(mask_) == Interrupts::kNone ? kForever : Cycles{0};
+    case Wait::kHalted:
+      return kForever;
+    case Wait::kTime:
+      return wake_;
+    case Wait::kBus:
+    case Wait::kNothing:
+      break;
+  }
+  return Cycles{0};
+}
+
+// Suspends the core in the cycle in which it is.
+void Core::wait_for_simulation() {
+  if (!is_ahead_) return;
+  simulation_->catch_up(now_);
+  sleep_until(now_);
+}
+
 std::uint32_t Core::access(const BusRequest& request) {
+  if (const Cycles until = horizon(); now_ < until) {
+    const RunAhead::Outcome outcome = simulation_->try_access(request, now_, until);
+    if (outcome.access == RunAhead::Access::kDone) {
+      is_ahead_ = true;
+      horizon_ = outcome.horizon;
+      now_ = outcome.ends;
+      return outcome.data;
+    }
+    if (outcome.access == RunAhead::Access::kRefused) wait_for_simulation();
+  } else {
+    wait_for_simulation();
+  }
   request_ = request;
   wait_ = Wait::kBus;
   fiber_.suspend();
@@ -112,7 +171,13 @@ void Core::sleep_until(Cycles cycle) {
   fiber_.suspend();
 }
 
+void Core::send_event() noexcept {
+  wait_for_simulation();
+  event_sent_ = true;
+}
+
 Interrupts Core::wait_for_interrupt(Interrupts mask) noexcept {
+  if (is_ahead_ && simulation_->host_must_read()) wait_for_simulation();
   longest_awake_ = std::max(longest_awake_, now_ - awake_since_);
   awake_ += now_ - awake_since_;
   if (active(mask) == Interrupts::kNone) {
@@ -127,7 +192,15 @@ Interrupts Core::wait_for_interrupt(Interrupts mask) noexcept {
 }
 
 void Core::charge(Work work, std::int64_t times) noexcept {
-  sleep_until(now_ + Cycles{cycles_of(spec_, work) * times});
+  const Cycles end = now_ + Cycles{cycles_of(spec_, work) * times};
+  if (const Cycles until = horizon(); now_ < end && end < until) {
+    is_ahead_ = true;
+    horizon_ = until;
+    now_ = end;
+    return;
+  }
+  wait_for_simulation();
+  sleep_until(end);
 }
 
 }  // namespace armature::cosim

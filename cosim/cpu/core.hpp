@@ -1,7 +1,8 @@
 // One simulated ARM core: runs a controller main as a fiber and charges its time in clock cycles of the logic.
 //
 // Between two calls of RegisterBus the core takes no simulated time. Every call may suspend it. The simulation
-// continues the core when its time has passed, its bus request is complete, or an interrupt is active.
+// continues the core when its time has passed, its bus request is complete, or an interrupt is active. A core that may
+// run ahead (run_ahead.hpp) is then at a later cycle than the simulation, until it is suspended.
 //
 // At the end of a run the simulation does not continue the core any more, and the destructor frees its stack. No
 // further code of the main runs, so a run that is interrupted while core 1 plans a long path ends at once. Therefore
@@ -18,6 +19,7 @@
 #include "cosim/cpu/cpu_spec.hpp"
 #include "cosim/cpu/fiber.hpp"
 #include "cosim/cpu/processor.hpp"
+#include "cosim/cpu/run_ahead.hpp"
 
 namespace armature::cosim {
 
@@ -28,6 +30,9 @@ class Core final : private RegisterBus {
   Core(int number, const CpuSpec& spec, Main main);
   Core(const Core&) = delete;
   Core& operator=(const Core&) = delete;
+
+  // From now on the core may run ahead, up to the horizon of the simulation and of `other`, which never runs ahead.
+  void run_ahead(RunAhead& simulation, const Core& other);
 
   [[nodiscard]] int number() const { return number_; }
 
@@ -45,13 +50,15 @@ class Core final : private RegisterBus {
   void halt(Cycles now);
 
   // ---- interrupts: levels of the programmable logic, and the event line
-  void set_interrupt_levels(Interrupts levels, Cycles now);
+  void set_interrupt_levels(Interrupts levels) { levels_ = levels; }
+  // Continues the core if it waits for an interrupt that is active.
+  void wake_if_interrupted(Cycles now);
   void set_event(Cycles now);
   // True when this core has called send_event() since the last call.
   bool pop_event_sent();
 
   // Sets the computation time of a tick from now on (fault script).
-  void set_tick_compute(std::int64_t cycles) { spec_.tick_compute_cycles = cycles; }
+  void set_tick_compute(std::int64_t cycles);
 
   // The longest time between two calls of wait_for_interrupt until `now`: the duration of the worst tick.
   [[nodiscard]] Cycles longest_awake(Cycles now) const;
@@ -65,19 +72,22 @@ class Core final : private RegisterBus {
   std::uint32_t read32(RegAddr addr) noexcept override;
   void write32(RegAddr addr, std::uint32_t value) noexcept override;
   Interrupts wait_for_interrupt(Interrupts mask) noexcept override;
-  void send_event() noexcept override { event_sent_ = true; }
+  void send_event() noexcept override;
   Cycles now() noexcept override { return now_; }
   void charge(Work work, std::int64_t times) noexcept override;
 
   std::uint32_t access(const BusRequest& request);
+  [[nodiscard]] Cycles horizon() const;
+  [[nodiscard]] Cycles quiet_until() const;
+  void wait_for_simulation();
   void sleep_until(Cycles cycle);
   [[nodiscard]] bool is_awake() const { return wait_ != Wait::kInterrupt && wait_ != Wait::kHalted; }
   [[nodiscard]] Interrupts active(Interrupts mask) const;
   void resume(Cycles now);
-  void wake_if_interrupted(Cycles now);
 
   int number_;
   CpuSpec spec_;
+  bool takes_time_;  // all work of core 0
   Fiber fiber_;
   Wait wait_ = Wait::kTime;  // starts at cycle 0
   Cycles now_{};
@@ -91,6 +101,10 @@ class Core final : private RegisterBus {
   Interrupts mask_ = Interrupts::kNone;
   bool event_ = false;
   bool event_sent_ = false;
+  RunAhead* simulation_ = nullptr;
+  const Core* other_ = nullptr;
+  bool is_ahead_ = false;  // since it was continued it has run ahead
+  Cycles horizon_{};       // of a core that is ahead
 };
 
 }  // namespace armature::cosim

@@ -24,6 +24,10 @@ FiberProcessor::FiberProcessor(host_memory::HostMemory& memory, const CpuSpec& s
       cores_{{{0, spec, [this](RegisterBus& bus) { controller_.core0_main(bus); }},
               {1, spec, [this](RegisterBus& bus) { controller_.core1_main(bus); }}}} {}
 
+void FiberProcessor::run_ahead(RunAhead& simulation) {
+  cores_[0].run_ahead(simulation, cores_[1]);
+}
+
 void FiberProcessor::notify(Cycles now) {
   cores_[1].set_event(now);
 }
@@ -69,7 +73,8 @@ void FiberProcessor::set_interrupts(std::uint8_t levels, Cycles now) {
   for (const Line& line : kLines) {
     if (((levels >> line.bit) & 1) != 0) active[line.core] = active[line.core] | line.name;
   }
-  for (std::size_t i = 0; i < cores_.size(); ++i) cores_[i].set_interrupt_levels(active[i], now);
+  for (std::size_t i = 0; i < cores_.size(); ++i) cores_[i].set_interrupt_levels(active[i]);
+  for (Core& core : cores_) core.wake_if_interrupted(now);
   exchange_events(now);
 }
 

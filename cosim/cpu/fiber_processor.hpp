@@ -17,6 +17,7 @@ class FiberProcessor final : public Processor {
   FiberProcessor(host_memory::HostMemory& memory, const CpuSpec& spec);
 
   // Processor
+  void run_ahead(RunAhead& simulation) override;
   void notify(Cycles now) override;
   std::optional<Cycles> next_event() const override;
   void advance(Cycles now) override;

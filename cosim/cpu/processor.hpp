@@ -12,6 +12,7 @@
 
 #include "controller/base/units.hpp"
 #include "cosim/bus/bus_access.hpp"
+#include "cosim/cpu/run_ahead.hpp"
 
 namespace armature::cosim {
 
@@ -32,6 +33,10 @@ class Processor {
   };
 
   virtual ~Processor() = default;
+
+  // From now on core 0 may run ahead of `simulation`, which must outlive the processor. A processor need not do it.
+  // After each call below that has `now` the chip may be at a later cycle, and an access of core 0 may be under way.
+  virtual void run_ahead(RunAhead& simulation) = 0;
 
   // Wakes core 1 after the host has written commands into the host memory. The host must read the rings of events there
   // after each of the calls below.

@@ -49,6 +49,7 @@ Simulation::Simulation(const Scenario& scenario, std::unique_ptr<Soc> soc, Simul
       injector_{{.plant = plant_, .processor = *processor_, .soc = *soc_}},
       wave_{std::move(wave)},
       longest_{to_cycles(scenario.duration_s)} {
+  processor_->run_ahead(*this);
   soc_->add_to_waves(software_.signals());
   if (scenario.conveyor) {
     belt_.emplace(*scenario.conveyor);
@@ -69,8 +70,9 @@ void Simulation::connect_serial_line(SerialPeer* peer) {
 }
 
 bool Simulation::advance(Cycles until) {
+  until_ = until;
   try {
-    while (!over_ && now() < until) step(until);
+    while (!over_ && now() < until_) step();
   } catch (const LogicCheckFailed& failed) {
     fail(fmt::format("a check inside the logic failed at cycle {} (message above)", failed.cycle.value()));
   } catch (const EnginesDiffer& difference) {
@@ -80,12 +82,15 @@ bool Simulation::advance(Cycles until) {
 }
 
 // All that happens in this cycle, then the time up to the next event.
-void Simulation::step(Cycles until) {
+void Simulation::step() {
+  if (std::exchange(pins_changed_, false)) on_pins_changed();
   deliver_due_events();
-  const Cycles end = std::min(longest_, program_watch_.end().value_or(longest_));
-  over_ = over_ || now() >= end;
+  over_ = over_ || now() >= end();
   if (over_) return;
-  const Cycles next = std::clamp(next_event(), now() + Cycles{1}, std::min(end, until));
+  // In that cycle the core waits for something that is due.
+  const bool was_ahead = std::exchange(core_was_ahead_, false);
+  if (was_ahead && (pins_changed_ || response_ || soc_->has_response() || processor_->next_event() <= now())) return;
+  const Cycles next = std::clamp(next_event(), now() + Cycles{1}, std::min(end(), until_));
   if (wave_.is_open()) software_.show(*processor_, access_, triggers_ - 1, telemetry_.state);
   move_arm(next);
 }
@@ -96,7 +101,7 @@ void Simulation::move_arm(Cycles until) {
     const Cycles next = std::clamp(std::min(plant_.next_event(), ticks_.next_event()), now() + Cycles{1}, until);
     const bool others = soc_->advance(next, StopOn::kPinChange) && on_pins_changed();
     if (ticks_.next_event() <= now() && ticks_.advance(now(), !wave_.is_open() && injector_.is_quiet())) drive_inputs();
-    if (others || over_ || now() >= until || soc_->has_response()) return;
+    if (others || core_was_ahead_ || over_ || now() >= until || soc_->has_response()) return;
     if (plant_.next_event() <= now()) advance_plant();
     if (over_) return;
   }
@@ -148,13 +153,21 @@ void Simulation::end_with_program() {
   }
 }
 
+Cycles Simulation::end() const {
+  return std::min(longest_, program_watch_.end().value_or(longest_));
+}
+
 // Of everything but the logic and the plant.
 Cycles Simulation::next_event() const {
+  return std::min(processor_->next_event().value_or(kNever), next_action());
+}
+
+// Of everything but the chip and the plant.
+Cycles Simulation::next_action() const {
   Cycles next = kNever;
   const auto consider = [&next](std::optional<Cycles> event) {
     if (event && *event < next) next = *event;
   };
-  consider(processor_->next_event());
   consider(script_.next_event());
   consider(wave_.next_event());
   if (serial_) consider(serial_->next_event());
@@ -167,7 +180,8 @@ void Simulation::deliver_due_events() {
   if (plant_.next_event() <= now()) advance_plant();
   while (const auto action = script_.pop_due(now())) act(*action);
   if (serial_) advance_serial();
-  if (const auto response = soc_->pop_response()) finish_access(*response);
+  if (!response_) response_ = soc_->pop_response();
+  if (const auto response = std::exchange(response_, std::nullopt)) finish_access(*response);
   processor_->advance(now());
   read_host_memory();
   feed_program();
@@ -196,9 +210,7 @@ void Simulation::drive_inputs() {
 }
 
 void Simulation::finish_access(const BusResponse& response) {
-  const Processor::Access access = access_.value();
-  access_.reset();
-  bus_time_.at(static_cast<std::size_t>(access.core)) += now() - access_since_;
+  const Processor::Access access = take_access();
   const BusRequest& request = access.request;
   if (response.error != BusError::kNone && (access.stray || injector_.explains_bus_errors())) {
     processor_->abort(access, now());
@@ -210,6 +222,19 @@ void Simulation::finish_access(const BusResponse& response) {
                      access.core, kBusErrorTexts.at(static_cast<std::size_t>(response.error)), now().value()));
     return;
   }
+  if (!check_access(request, response)) return;
+  processor_->complete(access, response, now());
+  read_host_memory();
+}
+
+// The access under way, which has ended.
+Processor::Access Simulation::take_access() {
+  bus_time_.at(static_cast<std::size_t>(access_->core)) += now() - access_since_;
+  return *std::exchange(access_, std::nullopt);
+}
+
+// Of an access without an error. Returns false if it ends the run.
+bool Simulation::check_access(const BusRequest& request, const BusResponse& response) {
   if (request.write) {
     ++end_.bus_writes;
     conservation_.on_write(now(), request.addr, request.data);
@@ -218,12 +243,8 @@ void Simulation::finish_access(const BusResponse& response) {
     software_.on_read(response.data);
     conservation_.on_read(now(), request.addr, response.data);
   }
-  if (const auto& violation = conservation_.violation()) {
-    fail(*violation);
-    return;
-  }
-  processor_->complete(access, response, now());
-  read_host_memory();
+  if (const auto& violation = conservation_.violation()) fail(*violation);
+  return !over_;
 }
 
 // One access at a time.
@@ -273,11 +294,12 @@ bool Simulation::on_pins_changed() {
   report_servo_enables();
   if (triggers) on_trigger();
   trigger_was_high_ = out.trigger;
+  const bool concern_others = others != out;
   if (out.irq != interrupts_) {
     processor_->set_interrupts(interrupts_ = out.irq, now());
     read_host_memory();
   }
-  return others != out;
+  return concern_others;
 }
 
 void Simulation::report_servo_enables() {

@@ -18,6 +18,7 @@
 #include "cosim/belt/belt_motion.hpp"
 #include "cosim/check/conservation.hpp"
 #include "cosim/cpu/processor.hpp"
+#include "cosim/cpu/run_ahead.hpp"
 #include "cosim/fault/injector.hpp"
 #include "cosim/kernel/move_feeder.hpp"
 #include "cosim/kernel/program_watch.hpp"
@@ -60,7 +61,7 @@ struct SimulationEnd {
   std::size_t serial_unsent = 0;  // items that the serial line had not yet sent to the controller
 };
 
-class Simulation final {
+class Simulation final : private RunAhead {
  public:
   // `soc` must be at cycle 0. References must outlive the simulation. `peer`: a second sender on the serial line
   // besides the script, if the scenario has a serial line. It replaces the steps of the pendant.
@@ -80,11 +81,19 @@ class Simulation final {
   SimulationEnd finish();
 
  private:
-  void step(Cycles until);
+  // RunAhead
+  Cycles horizon() const override;
+  bool host_must_read() const override;
+  void catch_up(Cycles until) override;
+  Outcome try_access(const BusRequest& request, Cycles at, Cycles horizon) override;
+
+  void step();
+  [[nodiscard]] Cycles end() const;
   void move_arm(Cycles until);
   void advance_plant();
   void compute_edges();
   [[nodiscard]] Cycles next_event() const;
+  [[nodiscard]] Cycles next_action() const;
   void end_with_program();
   void connect_serial_line(SerialPeer* peer);
   void deliver_due_events();
@@ -92,6 +101,8 @@ class Simulation final {
   void drive_inputs();
   void act(const ScriptAction& action);
   void finish_access(const BusResponse& response);
+  Processor::Access take_access();
+  bool check_access(const BusRequest& request, const BusResponse& response);
   void grant_bus();
   void give(const CommandSpec& move);
   void feed_program();
@@ -126,6 +137,9 @@ class Simulation final {
   std::optional<SerialLine> serial_;
   std::optional<Processor::Access> access_;  // under way
   Cycles access_since_{};
+  std::optional<BusResponse> response_;  // of access_; finish_access() is due
+  bool pins_changed_ = false;            // on_pins_changed() is due
+  bool core_was_ahead_ = false;
   std::array<Cycles, 2> bus_time_{};       // of each core, in finished accesses
   std::array<CoreLoad, 2> load_before_{};  // until the latest trigger
   SocOutputs seen_;                        // at the latest change
@@ -137,6 +151,7 @@ class Simulation final {
   bool servo_was_on_ = false;
   bool fault_detected_ = false;  // by the controller, in this cycle
   Cycles longest_;               // duration of the scenario
+  Cycles until_{};               // of advance()
   bool over_ = false;
   Telemetry telemetry_;
   std::int64_t triggers_ = 0;

@@ -28,6 +28,8 @@ class WholeTicks {
   // The trigger pin has risen. To be called before anything else that looks at pins or plant. Returns as advance().
   bool on_trigger(Cycles now);
 
+  // Whether the present tick is whole, and not over.
+  [[nodiscard]] bool is_whole() const { return tick_ && !over_; }
   // Whether the access must see all edges.
   [[nodiscard]] bool disturbs(const BusRequest& request) const { return tick_ && port_->disturbs(request); }
   // Computes all edges up to `now`, from the begin of the tick. Returns as advance().

@@ -27,16 +27,22 @@ class Logic {
   using Accesses = std::array<Strobes, kBlocks>;  // by port of the crossbar, as kBases
   using Answers = std::array<Answer, kBlocks>;
 
-  void set_inputs(const SocInputs& inputs) { in_ = inputs; }
+  void set_inputs(const SocInputs& inputs) {
+    in_ = inputs;
+    wakes_known_ = false;
+  }
   [[nodiscard]] const SocInputs& inputs() const { return in_; }
   [[nodiscard]] const SocOutputs& outputs() const { return outputs_; }
   [[nodiscard]] Cycles now() const { return now_; }  // the latest edge
 
   // The next edge that must be computed if it has no access.
   [[nodiscard]] Cycles wakes_at() const {
-    return std::min({gpio_.wakes_at(now_, gpio_inputs()), timer_.wakes_at(now_, timer_inputs()),
-                     uart_.wakes_at(now_, uart_inputs()), pulses_.wakes_at(now_, pulse_inputs()),
-                     variant_.wakes_at(now_, in_, decoder_inputs())});
+    if (!std::exchange(wakes_known_, true)) {
+      wakes_ = {gpio_.wakes_at(now_, gpio_inputs()), timer_.wakes_at(now_, timer_inputs()),
+                uart_.wakes_at(now_, uart_inputs()), pulses_.wakes_at(now_, pulse_inputs()),
+                variant_.wakes_at(now_, in_, decoder_inputs())};
+    }
+    return std::ranges::min(wakes_);
   }
 
   // Edges up to `until` that need not be computed. Throws std::logic_error when time would go back.
@@ -56,11 +62,52 @@ class Logic {
     answers[2] = uart_.edge(now_, uart_inputs(), access[2]);
     answers[3] = pulses_.edge(now_, pulses, access[3]);
     variant_.edge(now_, in_, decoder, &access[4], &answers[4]);
-    const SocOutputs before = std::exchange(outputs_, sample());
-    return before != outputs_;
+    wakes_known_ = false;
+    return show_outputs();
+  }
+
+  // The next edge, with an access at this port only.
+  bool edge(std::size_t port, const Strobes& access, Answer& answer) {
+    if (wakes_at() <= now_ + Cycles{1} || port >= kQuickPorts) {
+      Accesses accesses;
+      Answers answers;
+      accesses[port] = access;
+      const bool changed = edge(accesses, answers);
+      answer = answers[port];
+      return changed;
+    }
+    now_ += Cycles{1};
+    const auto of = [&](auto& slot) {
+      answer = slot.access(now_, access);
+      wakes_[port] = slot.block().wakes_at();
+    };
+    bool shows = access.write;
+    switch (port) {
+      case 0:
+        of(gpio_);
+        break;
+      case 1:
+        of(timer_);
+        break;
+      case 2:
+        of(uart_);
+        shows = true;  // a read of the received byte ends an interrupt
+        break;
+      case 3:
+        of(pulses_);
+        shows = shows && decltype(pulses_)::kAccessShows;
+        break;
+      default:
+        if constexpr (kQuickPorts > 4) of(variant_.decoder());
+        return false;  // it has no output
+    }
+    if (!shows || !show_outputs()) return false;
+    wakes_known_ = false;
+    return true;
   }
 
   void stop_clock_of(ClockGroup group) {
+    wakes_known_ = false;
     if (group == ClockGroup::kIo) {
       gpio_.stop_gated_clock();
       uart_.stop_gated_clock();
@@ -72,9 +119,15 @@ class Logic {
   }
 
   // ---- whole ticks, with the blocks of CountsVariant (motion_port.hpp). Cycles are edges of the logic.
-  [[nodiscard]] typename Variant::Pulses& pulses() { return pulses_.block(); }
+  [[nodiscard]] typename Variant::Pulses& pulses() {
+    wakes_known_ = false;
+    return pulses_.block();
+  }
   [[nodiscard]] const typename Variant::Pulses& pulses() const { return pulses_.block(); }
-  [[nodiscard]] Variant& variant() { return variant_; }
+  [[nodiscard]] Variant& variant() {
+    wakes_known_ = false;
+    return variant_;
+  }
   [[nodiscard]] const Variant& variant() const { return variant_; }
   // The outputs after edges of the pulses that were computed late.
   void sample_again() { outputs_ = sample(); }
@@ -86,6 +139,9 @@ class Logic {
   }
 
  private:
+  // The blocks behind these ports can have an edge alone; the decoders can, if they are one block.
+  static constexpr std::size_t kQuickPorts = kBlocks == 5 ? 5 : 4;
+
   [[nodiscard]] GpioInputs gpio_inputs() const { return {.gpio1 = in_.gpio1, .gpio2 = in_.gpio}; }
   [[nodiscard]] TimerInputs timer_inputs() const { return {.capture_trig = in_.capture_trig}; }
   [[nodiscard]] UartInputs uart_inputs() const {
@@ -106,6 +162,12 @@ class Logic {
   }
   [[nodiscard]] DecoderInputs decoder_inputs() const {
     return {.trigger = outputs_.trigger, .servo_on = outputs_.servo_on};
+  }
+
+  // Returns whether an output has changed.
+  bool show_outputs() {
+    const SocOutputs before = std::exchange(outputs_, sample());
+    return before != outputs_;
   }
 
   [[nodiscard]] SocOutputs sample() const {
@@ -134,6 +196,9 @@ class Logic {
   Variant variant_;
   SocOutputs outputs_ = sample();
   Cycles now_{};
+  // The next edges that the blocks must compute, by port; the last one is of all decoders.
+  mutable std::array<Cycles, 5> wakes_{};
+  mutable bool wakes_known_ = false;
 };
 
 }  // namespace armature::cosim::model

@@ -41,6 +41,11 @@ class ModelSoc final : public Soc {
     return false;
   }
 
+  [[nodiscard]] Cycles quiet_until() const override {
+    if (!clock_running_ || !master_.idle() || bus_.is_active(master_.pins()) || wave_.is_open()) return now();
+    return logic_.wakes_at() + stood_;
+  }
+
   void set_clock_running(bool running) override {
     if (!running && access_) show_handshakes();
     clock_running_ = running;
@@ -63,6 +68,19 @@ class ModelSoc final : public Soc {
     }
     access_ = quick_access(request, logic_.now(), spec_, Variant::kBases);
     return access_->ends + stood_;
+  }
+
+  Progress access(const BusRequest& request, Cycles limit) override {
+    start(request);
+    if (!access_ || access_->ends + stood_ > limit || logic_.wakes_at() <= access_->executed) return run_access(limit);
+    if (access_->port) {
+      logic_.pass(access_->executed - Cycles{1});
+      const bool changed = logic_.edge(*access_->port, access_->strobes(), access_->answer);
+      if (changed) return {.pins_changed = true};
+      if (logic_.wakes_at() <= access_->ends) return run_access(limit);
+    }
+    logic_.pass(access_->ends);
+    return {.response = std::exchange(access_, std::nullopt)->response()};
   }
 
   [[nodiscard]] bool has_response() const override { return response_.has_value(); }
@@ -88,6 +106,12 @@ class ModelSoc final : public Soc {
   void close_wave() override { wave_.close(); }
 
  private:
+  // To the end of the access under way, or to a change of an output, or to `limit`.
+  Progress run_access(Cycles limit) {
+    const bool changed = advance(limit, StopOn::kPinChange);
+    return {.response = pop_response(), .pins_changed = changed};
+  }
+
   using Answers = typename Logic<Variant>::Answers;
 
   // Runs to the next edge that must be computed, or to `end`. Returns whether an output has changed.
@@ -99,6 +123,11 @@ class ModelSoc final : public Soc {
       logic_.pass(end);
       return false;
     }
+    if (access_ && access_->ends == next && next < logic_.wakes_at() && !wave_.is_open()) {
+      logic_.pass(next);
+      end_access();
+      return false;
+    }
     logic_.pass(next - Cycles{1});
     const bool changed = handshakes ? edge_with_handshakes() : edge();
     if (wave_.is_open()) wave_.dump(now(), logic_.inputs(), logic_.outputs());
@@ -106,17 +135,17 @@ class ModelSoc final : public Soc {
   }
 
   bool edge() {
-    typename Logic<Variant>::Accesses accesses;
-    Answers answers;
     const bool executes = access_ && access_->port && access_->executed == logic_.now() + Cycles{1};
-    if (executes) accesses[*access_->port] = access_->strobes();
-    const bool changed = logic_.edge(accesses, answers);
-    if (executes) access_->answer = answers[*access_->port];
-    if (access_ && access_->ends == logic_.now()) {
-      response_ = access_->response();
-      access_.reset();
-    }
+    if (executes) return logic_.edge(*access_->port, access_->strobes(), access_->answer);
+    Answers answers;
+    const bool changed = logic_.edge({}, answers);
+    if (access_ && access_->ends == logic_.now()) end_access();
     return changed;
+  }
+
+  void end_access() {
+    response_ = access_->response();
+    access_.reset();
   }
 
   bool edge_with_handshakes() {

@@ -16,6 +16,16 @@ class Slot {
     return block_.edge(at, access, in);
   }
 
+  // Whether an output may change at an edge that must be computed for its access only.
+  static constexpr bool kAccessShows = !requires(Block & block) { block.access(Cycles{}, Strobes{}); };
+  // Such an edge: wakes_at() is later, and the inputs are those of before.
+  Answer access(Cycles at, const Strobes& access) {
+    if constexpr (kAccessShows)
+      return block_.edge(at, access, latest_);
+    else
+      return block_.access(at, access);
+  }
+
   // The next edge that must be computed, after the edge `now`. `in`: the levels that it will see.
   [[nodiscard]] Cycles wakes_at(Cycles now, const Inputs& in) const {
     return in == latest_ ? block_.wakes_at() : now + Cycles{1};

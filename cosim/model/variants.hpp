@@ -41,6 +41,7 @@ class CountsVariant {
   void stop_clock_of(ClockGroup group) {
     if (group == ClockGroup::kEncoder) encoder_.stop_gated_clock();
   }
+  [[nodiscard]] Slot<Encoder<6>, EncoderInputs>& decoder() { return encoder_; }
   [[nodiscard]] Encoder<6>& encoder() { return encoder_.block(); }
   [[nodiscard]] const Encoder<6>& encoder() const { return encoder_.block(); }
 

@@ -40,6 +40,9 @@ class Soc {
   // now(). Throws LogicCheckFailed when a check inside the logic fails.
   virtual bool advance(Cycles limit, StopOn stop_on) = 0;
 
+  // No output changes before this cycle unless an input changes or an access executes.
+  [[nodiscard]] virtual Cycles quiet_until() const { return now(); }
+
   // Stops the clock of the logic, or lets it run again (fault script). While it is stopped time continues, but the
   // logic and the outputs stay as they are and an access does not end.
   virtual void set_clock_running(bool running) = 0;
@@ -55,6 +58,14 @@ class Soc {
   // Starts an access. Returns the cycle in which the processor will receive the response, if the engine knows it in
   // advance, else none. A client must not depend on it: advance() stops at that cycle in either case.
   virtual std::optional<Cycles> start(const BusRequest& request) = 0;
+
+  // start(), and advance(limit, StopOn::kPinChange) unless `limit` is now(). Returns the response if the access has
+  // ended, and else whether an output has changed.
+  struct Progress {
+    std::optional<BusResponse> response{};
+    bool pins_changed = false;
+  };
+  virtual Progress access(const BusRequest& request, Cycles limit);
 
   // Whether a response waits for pop_response().
   [[nodiscard]] virtual bool has_response() const = 0;

@@ -62,6 +62,18 @@ Answer PulseTrain::edge(Cycles at, const Strobes& access, const PulseInputs& in)
   return answer;
 }
 
+Answer PulseTrain::access(Cycles at, const Strobes& access) {
+  Answer answer;
+  if (access.read) answer = read(at, word_offset(access.raddr));
+  if (!access.write) return answer;
+  cleared_faults_ = 0;
+  answer.werr = write(access);
+  if (element_at(word_offset(access.waddr), train_regs::kCountOffset)) return answer;  // which acts when it is committed
+  faults_.edge(at, 0, cleared_faults_);
+  wakes_at_ = at + Cycles{1};
+  return answer;
+}
+
 void PulseTrain::run_axes(Cycles at, bool trigger, bool stopped) {
   if (!trigger && !stopped && at < axes_wake_at_) return;
   if (stopped && !generators_run_) throw std::logic_error{"model: a stop in a tick without edges"};

@@ -22,6 +22,7 @@ namespace armature::cosim::model {
 class PulseTrain {
  public:
   Answer edge(Cycles at, const Strobes& access, const PulseInputs& in);
+  Answer access(Cycles at, const Strobes& access);
   [[nodiscard]] Cycles wakes_at() const { return wakes_at_; }
 
   [[nodiscard]] std::uint8_t step() const { return step_; }

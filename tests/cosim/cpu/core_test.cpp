@@ -65,7 +65,8 @@ TEST(Core, ChargesEachKindOfWorkItsCost) {
 TEST(Core, AnInterruptThatIsAlreadyActiveIsReportedAtOnce) {
   Interrupts seen = Interrupts::kNone;
   Core core{0, kSpec, [&](RegisterBus& bus) { seen = bus.wait_for_interrupt(Interrupts::kTimer); }};
-  core.set_interrupt_levels(Interrupts::kTimer, Cycles{0});
+  core.set_interrupt_levels(Interrupts::kTimer);
+  core.wake_if_interrupted(Cycles{0});
   core.run_if_due(Cycles{0});
   EXPECT_EQ(seen, Interrupts::kTimer);
 }
@@ -81,9 +82,11 @@ TEST(Core, SleepsUntilAMaskedInInterruptRises) {
   core.run_if_due(Cycles{0});
   core.set_event(Cycles{10});
   EXPECT_TRUE(woken.empty());
-  core.set_interrupt_levels(Interrupts::kTimer, Cycles{100});
+  core.set_interrupt_levels(Interrupts::kTimer);
+  core.wake_if_interrupted(Cycles{100});
   EXPECT_EQ(woken, (std::vector<std::int64_t>{100}));
-  core.set_interrupt_levels(Interrupts::kNone, Cycles{120});
+  core.set_interrupt_levels(Interrupts::kNone);
+  core.wake_if_interrupted(Cycles{120});
   core.run_if_due(Cycles{350});
   EXPECT_EQ(core.longest_awake(Cycles{9'999}), Cycles{250});
 }
@@ -94,7 +97,8 @@ TEST(Core, AComputationThatHasNotEndedCountsAsAwake) {
             }};
   core.run_if_due(Cycles{0});
   EXPECT_EQ(core.longest_awake(Cycles{80}), Cycles{0});
-  core.set_interrupt_levels(Interrupts::kTimer, Cycles{100});
+  core.set_interrupt_levels(Interrupts::kTimer);
+  core.wake_if_interrupted(Cycles{100});
   EXPECT_EQ(core.longest_awake(Cycles{1'700}), Cycles{1'600});
 }
 
@@ -125,13 +129,16 @@ TEST(Core, AHaltedCoreAsksForNothingAndNeverWakes) {
               ++executed;
             }};
   core.run_if_due(Cycles{0});
-  core.set_interrupt_levels(Interrupts::kTimer, Cycles{100});
+  core.set_interrupt_levels(Interrupts::kTimer);
+  core.wake_if_interrupted(Cycles{100});
   ASSERT_TRUE(core.bus_request());
   core.halt(Cycles{130});
   EXPECT_FALSE(core.bus_request());
   EXPECT_FALSE(core.wakes_at());
-  core.set_interrupt_levels(Interrupts::kNone, Cycles{200});
-  core.set_interrupt_levels(Interrupts::kTimer, Cycles{300});
+  core.set_interrupt_levels(Interrupts::kNone);
+  core.wake_if_interrupted(Cycles{200});
+  core.set_interrupt_levels(Interrupts::kTimer);
+  core.wake_if_interrupted(Cycles{300});
   core.set_event(Cycles{310});
   core.run_if_due(Cycles{400});
   EXPECT_EQ(executed, 0);
@@ -157,6 +164,84 @@ TEST(Core, ExecutesNothingMoreOfItsMainAtItsEndInAnyKindOfWait) {
     for (Core* core : {&sleeping, &reading, &computing}) core->run_if_due(Cycles{0});
   }
   EXPECT_EQ(executed, 0);
+}
+
+// A simulation in which nothing else happens before the cycle `quiet_until`, with accesses of 10 cycles.
+struct QuietSimulation final : RunAhead {
+  Cycles quiet_until{};
+  bool unread = false;
+  std::vector<std::int64_t> accesses{}, caught_up{};
+
+  Cycles horizon() const override { return quiet_until; }
+  bool host_must_read() const override { return unread; }
+  void catch_up(Cycles now) override { caught_up.push_back(now.value()); }
+  Outcome try_access(const BusRequest&, Cycles now, Cycles horizon) override {
+    const Cycles ends = now + Cycles{10};
+    if (ends >= horizon) return {};
+    accesses.push_back(now.value());
+    return {.access = Access::kDone, .data = 5, .ends = ends, .horizon = horizon};
+  }
+};
+
+TEST(Core, RunsAheadUpToTheHorizon) {
+  QuietSimulation simulation;
+  simulation.quiet_until = Cycles{300};
+  Core other{1, kSpec, [](RegisterBus& bus) { (void)bus.wait_for_interrupt(Interrupts::kTimer); }};
+  Core core{0, kSpec, [](RegisterBus& bus) {
+              EXPECT_EQ(bus.read32(RegAddr{0}), 5u);
+              bus.charge(Work::kTick);
+              bus.write32(RegAddr{0}, 1);
+              bus.write32(RegAddr{0}, 2);
+              bus.write32(RegAddr{0}, 3);
+            }};
+  core.run_ahead(simulation, other);
+  other.run_if_due(Cycles{0});
+  core.run_if_due(Cycles{0});
+  EXPECT_EQ(simulation.accesses, (std::vector<std::int64_t>{0, 260, 270, 280}));
+  EXPECT_FALSE(core.wakes_at()) << "the main has ended";
+}
+
+TEST(Core, WaitsAtTheHorizonInTheCycleInWhichItIs) {
+  QuietSimulation simulation;
+  simulation.quiet_until = Cycles{260};
+  Core other{1, kSpec, [](RegisterBus& bus) { (void)bus.wait_for_interrupt(Interrupts::kTimer); }};
+  Core core{0, kSpec, [](RegisterBus& bus) {
+              bus.charge(Work::kTick);
+              bus.write32(RegAddr{0}, 1);
+              bus.write32(RegAddr{0}, 2);
+            }};
+  core.run_ahead(simulation, other);
+  other.run_if_due(Cycles{0});
+  core.run_if_due(Cycles{0});
+  EXPECT_EQ(simulation.caught_up, (std::vector<std::int64_t>{250}));
+  EXPECT_EQ(core.wakes_at(), Cycles{250}) << "its next access begins there";
+  EXPECT_FALSE(core.bus_request());
+  simulation.quiet_until = Cycles{};
+  core.run_if_due(Cycles{250});
+  ASSERT_TRUE(core.bus_request());
+  EXPECT_EQ(core.bus_request()->data, 1u);
+}
+
+TEST(Core, DoesNotRunAheadOfTheOtherCoreOrOfAnUnreadEventOrWithoutTime) {
+  const auto runs_ahead = [](bool other_computes, bool unread, std::int64_t tick_compute) {
+    QuietSimulation simulation;
+    simulation.quiet_until = Cycles{10'000};
+    simulation.unread = unread;
+    Core other{1, kSpec, [&](RegisterBus& bus) {
+                 if (other_computes) bus.charge(Work::kProgramStep);
+                 (void)bus.wait_for_interrupt(Interrupts::kTimer);
+               }};
+    Core core{0, kSpec, [](RegisterBus& bus) { bus.charge(Work::kInterruptEntry); }};
+    core.set_tick_compute(tick_compute);
+    core.run_ahead(simulation, other);
+    other.run_if_due(Cycles{0});
+    core.run_if_due(Cycles{0});
+    return !core.wakes_at();
+  };
+  EXPECT_TRUE(runs_ahead(false, false, 250));
+  EXPECT_FALSE(runs_ahead(true, false, 250)) << "the other core wakes after 40 cycles, before 50";
+  EXPECT_FALSE(runs_ahead(false, true, 250));
+  EXPECT_FALSE(runs_ahead(false, false, 0));
 }
 
 }  // namespace

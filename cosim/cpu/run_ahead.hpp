@@ -1,0 +1,40 @@
+// What a core asks of its simulation so that it may run ahead: it continues alone, without being suspended for each
+// access and each computation, as long as nothing else can happen. Simulators call this temporal decoupling. A run has
+// the same bytes with it and without it.
+#pragma once
+
+#include <cstdint>
+
+#include "controller/base/units.hpp"
+#include "cosim/bus/bus_access.hpp"
+
+namespace armature::cosim {
+
+class RunAhead {
+ public:
+  virtual ~RunAhead() = default;
+
+  // The cycle before which nothing but this core can happen, as the simulation and the chip stand now; the present
+  // cycle or an earlier one if the core must not run ahead. The processor knows what its other core does.
+  [[nodiscard]] virtual Cycles horizon() const = 0;
+  // Whether the controller has written what the host must read in the cycle of the core.
+  [[nodiscard]] virtual bool host_must_read() const = 0;
+  // Brings the chip to `now`, the cycle of the core, which is before the horizon.
+  virtual void catch_up(Cycles now) = 0;
+
+  enum class Access : std::uint8_t {
+    kRefused,  // it has not begun; the core must not run ahead with it
+    kBegun,    // the core waits for Processor::complete()
+    kDone,     // the chip is at its end
+  };
+  struct Outcome {
+    Access access = Access::kRefused;
+    std::uint32_t data = 0;  // of kDone
+    Cycles ends{};           // of kDone
+    Cycles horizon{};        // of kDone: from then on
+  };
+  // Executes an access of core 0 that begins at `now`, the cycle of the core, as far as possible before `horizon`.
+  virtual Outcome try_access(const BusRequest& request, Cycles now, Cycles horizon) = 0;
+};
+
+}  // namespace armature::cosim
