@@ -1,12 +1,12 @@
 // What the software of core 0's 50 us tick costs, and a set-point of the planner's check, on an ABB IRB 120 (and a
 // five-axis arm of the shape of Hu 2012).
 //
-// Both cores of the controller run on the fake of the logic, core 1 in a thread of its own. The fake costs next to
-// nothing: "bus alone" is all that it adds to a tick. The same run is made again and again, and each of its ticks keeps
-// the smallest time that it ever took. So other load on the machine hardly matters, while a tick that has more to do
-// still shows. The first figure (mean), `median`, `p99` and `max` are over the ticks of a run that the line is about.
-// "cold" runs through 4 MiB of other memory between any two ticks: what a tick costs where nothing of it is in the
-// caches of its core.
+// Both cores of the controller run on the model of the logic, core 1 in a thread of its own. The model works outside of
+// what is timed: "bus alone" is all that it adds to a tick. The same run is made again and again, and each of its ticks
+// keeps the smallest time that it ever took. So other load on the machine hardly matters, while a tick that has more to
+// do still shows. The first figure (mean), `median`, `p99` and `max` are over the ticks of a run that the line is
+// about. "cold" runs through 4 MiB of other memory between any two ticks: what a tick costs where nothing of it is in
+// the caches of its core.
 //
 // usage: tick_bench [--benchmark_...]
 #include <benchmark/benchmark.h>

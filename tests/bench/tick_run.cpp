@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <functional>
@@ -11,14 +12,14 @@
 #include <utility>
 #include <vector>
 
+#include "controller/drivers/axi_timer.hpp"
 #include "controller/host_memory/boot_memory.hpp"
 #include "controller/host_memory/host_side.hpp"
-#include "controller/regs/axi_timer_regs.hpp"
 #include "controller/regs/encoder_regs.hpp"
 #include "controller/regs/pulse_train_regs.hpp"
 #include "controller/regs/soc_map.hpp"
 #include "tests/bench/core1_thread.hpp"
-#include "tests/controller/support/fake_logic.hpp"
+#include "tests/controller/support/model_logic.hpp"
 
 namespace armature::bench {
 namespace {
@@ -62,50 +63,97 @@ class Notes {
   bool core1_woken_ = false;
 };
 
-// The fake of the logic as core 0's register bus, and the time of each tick.
+// The model of the logic as core 0's register bus, and the time of each tick.
 //
-// Nothing that core 0 does takes time of the fake, so that an access is one load or store. What the logic and the
-// drives do, and what `between` does, happens while core 0 waits. The time of a tick is from the end of a wait to the
-// next one.
-class TimedLogic {
+// Nothing that core 0 does computes an edge of the model while it is timed: an access is one load or store. What the
+// registers of a tick show is read before the tick, and what core 0 writes reaches the model when it waits. What the
+// logic and the drives do, and what `between` does, happens then, too. The time of a tick is from the end of a wait to
+// the next one.
+class TimedLogic final : public RegisterBus {
  public:
   // Runs for so many ticks, then switches the core off. Calls `between` after each trigger with its number, from 0.
   TimedLogic(const RobotModel& robot, std::size_t ticks, std::function<void(std::size_t)> between)
       : between_{std::move(between)}, ticks_{ticks} {
     tick_ns.reserve(ticks);
     logic.fit_drives(robot);
-    logic.access_cycles = logic.tick_cycles = logic.work_cycles = 0;
+    logic.access_cycles = 1;
     logic.triggers_to_run = static_cast<std::int64_t>(ticks) + 1;
-    logic.on_wait = [this] {
-      const Clock::time_point slept = Clock::now();
-      if (logic.triggers() > 0) tick_ns.push_back(std::chrono::duration<double, std::nano>(slept - woken_).count());
-    };
     logic.on_trigger = [this](std::int64_t trigger) {
       if (static_cast<std::size_t>(trigger) < ticks_) between_(static_cast<std::size_t>(trigger));
-      woken_ = Clock::now();
     };
   }
-  test::FakeLogic logic{test::FakeLogic::Variant::kCounts, kSubSteps};
+  test::ModelLogic logic;
   std::vector<double> tick_ns;
+
+  std::uint32_t read32(RegAddr addr) noexcept override {
+    if (reads_ < shown_.size() && shown_[reads_].addr == addr) return shown_[reads_++].value;
+    write_all();
+    return logic.read32(addr);
+  }
+  void write32(RegAddr addr, std::uint32_t value) noexcept override {
+    if (writes_ == written_.size()) write_all();
+    written_[writes_++] = {addr, value};
+  }
+  Interrupts wait_for_interrupt(Interrupts mask) noexcept override {
+    const Clock::time_point slept = Clock::now();
+    if (logic.triggers() > 0) tick_ns.push_back(std::chrono::duration<double, std::nano>(slept - woken_).count());
+    write_all();
+    const Interrupts interrupts = logic.wait_for_interrupt(mask);
+    for (Register& shown : shown_) shown.value = logic.read32(shown.addr);
+    reads_ = 0;
+    woken_ = Clock::now();
+    return interrupts;
+  }
+  void send_event() noexcept override { logic.send_event(); }
+  Cycles now() noexcept override { return logic.now(); }
+  void charge(Work, std::int64_t) noexcept override {}
 
  private:
   using Clock = std::chrono::steady_clock;
-  static constexpr std::int64_t kSubSteps = 5;  // enough for the drives to follow as the controller expects
+  static constexpr RegAddr kPulses{regs::soc::kPulseTrainBase}, kEncoder{regs::soc::kEncoderBase};
+  struct Register {
+    RegAddr addr;
+    std::uint32_t value;
+  };
+
+  void write_all() {
+    for (std::size_t i = 0; i < writes_; ++i) logic.write32(written_[i].addr, written_[i].value);
+    writes_ = 0;
+  }
+
+  // In the order in which a tick reads them.
+  static constexpr std::array<std::uint32_t, 4> kOfPulses{
+      regs::pulse_train::kFaultOffset, regs::pulse_train::kStatusOffset, regs::pulse_train::kSwitchesOffset,
+      regs::pulse_train::kDrivesOffset};
+  static constexpr auto kShown = [] {
+    std::array<Register, kOfPulses.size() + 1 + kAxes> shown{};
+    std::size_t next = 0;
+    for (const std::uint32_t offset : kOfPulses) shown[next++].addr = kPulses + offset;
+    shown[next++].addr = kEncoder + regs::encoder::kFaultOffset;
+    for (std::uint32_t axis = 0; axis < kAxes; ++axis) {
+      shown[next++].addr = kEncoder + (regs::encoder::kPositionOffset + axis * regs::encoder::kPositionStride);
+    }
+    return shown;
+  }();
+
   std::function<void(std::size_t)> between_;
   std::size_t ticks_;
   Clock::time_point woken_;
+  std::array<Register, kShown.size()> shown_{kShown};
+  std::size_t reads_ = kShown.size();  // of shown_ in this tick; before the first one the model is read
+  std::array<Register, 64> written_{};
+  std::size_t writes_ = 0;
 };
 
 void access_only(RegisterBus& bus) {
   using namespace regs;
-  constexpr RegAddr kTimer{soc::kAxiTimerBase}, kPulses{soc::kPulseTrainBase}, kEncoder{soc::kEncoderBase};
-  constexpr std::uint32_t kRunning = axi_timer::kTcsr0EntMask;
-  bus.write32(kTimer + axi_timer::kTlr0Offset, soc::kTickCycles - 2);
-  bus.write32(kTimer + axi_timer::kTcsr0Offset, kRunning);
+  constexpr RegAddr kPulses{soc::kPulseTrainBase}, kEncoder{soc::kEncoderBase};
+  AxiTimer timer{bus};
+  timer.start(Cycles{soc::kTickCycles});
   std::uint32_t sequence = 0;
   while (bus.wait_for_interrupt(Interrupts::kTimer) != Interrupts::kNone) {
     bus.charge(Work::kInterruptEntry);
-    bus.write32(kTimer + axi_timer::kTcsr0Offset, kRunning | axi_timer::kTcsr0TintMask);
+    timer.acknowledge();
     std::uint32_t sum = 0;
     for (const std::uint32_t offset : {pulse_train::kFaultOffset, pulse_train::kStatusOffset,
                                        pulse_train::kSwitchesOffset, pulse_train::kDrivesOffset}) {
@@ -158,11 +206,11 @@ TickRun run(const TickScript& script) {
                      if (script.cold) evict_caches();
                    }};
   plant.logic.on_event = [&notes] { notes.core1_woken(); };
-  controller->core0_main(plant.logic);
+  controller->core0_main(plant);
   (void)notes.read(host);
-  if (notes.disturbed || plant.logic.underruns != 0 || notes.moves_finished != static_cast<std::int64_t>(moves)) {
+  if (notes.disturbed || plant.logic.underruns() != 0 || notes.moves_finished != static_cast<std::int64_t>(moves)) {
     throw std::logic_error{fmt::format("a run did not go as planned: {} of {} moves finished, {} underruns{}",
-                                       notes.moves_finished, moves, plant.logic.underruns,
+                                       notes.moves_finished, moves, plant.logic.underruns(),
                                        notes.disturbed ? ", a refusal or a fault" : "")};
   }
   for (std::size_t i = 0; i < script.ticks; ++i) notes.run.ticks[i].ns = plant.tick_ns[i];
@@ -173,7 +221,7 @@ std::vector<double> bus_alone_ns(std::size_t ticks) {
   RobotModel robot;
   for (AxisModel& axis : robot.axes) axis.drive_natural_rad_s = 250.0;
   TimedLogic plant{robot, ticks, [](std::size_t) {}};
-  access_only(plant.logic);
+  access_only(plant);
   return plant.tick_ns;
 }
 

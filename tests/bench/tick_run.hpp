@@ -1,4 +1,4 @@
-// One run of both cores of the controller on the fake of the logic: what each tick of core 0 took, and what it did.
+// One run of both cores of the controller on the model of the logic: what each tick of core 0 took, and what it did.
 #pragma once
 
 #include <cstddef>

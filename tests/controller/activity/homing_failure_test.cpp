@@ -84,8 +84,8 @@ TEST(HomingFails, ByAStopOrAHoldAndTheArmBrakesAtOnce) {
 
 TEST(HomingFails, ByAFaultAndWorksAfterIt) {
   HomingRig homing;
-  homing.rig.at(2'000, [&] { homing.rig.logic.estop_pin = true; });
-  homing.rig.at(2'100, [&] { homing.rig.logic.estop_pin = false; });
+  homing.rig.at(2'000, [&] { homing.rig.logic.pins.estop_n = false; });
+  homing.rig.at(2'100, [&] { homing.rig.logic.pins.estop_n = true; });
   homing.rig.submit_at(5'000, ClearFault{});
   homing.rig.move_at(6'000, {});
   homing.rig.submit_at(7'000, Home{.axes = 1});

@@ -106,7 +106,7 @@ TEST(JogEnds, ByAStopOrAHoldOfWhichTheHoldKeepsTheAccelerationOfTheJog) {
 TEST(JogEnds, InTheTickOfAFaultAndOnce) {
   ControllerRig rig;
   rig.submit_at(10, jog_of(1, 60, kTicksPerSecond));
-  rig.at(5'000, [&] { rig.logic.estop_pin = true; });
+  rig.at(5'000, [&] { rig.logic.pins.estop_n = false; });
   rig.run(kTicksPerSecond);
   ASSERT_EQ(rig.faults.size(), 1u);
   EXPECT_EQ(rig.faults[0].cause, FaultCause::kEstop);

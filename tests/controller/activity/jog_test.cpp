@@ -113,8 +113,8 @@ TEST(Jog, AHoldEndsItAndMovesWaitForTheResume) {
 TEST(Jog, EndsInAFaultAndTheArmMovesAgainAfterIt) {
   ControllerRig rig;
   rig.submit_at(10, joints({10, 0, 0, 0, 0, 0}, 10 * kSecond));
-  rig.at(kSecond / 2, [&] { rig.logic.alarm = 1; });
-  rig.at(kSecond, [&] { rig.logic.alarm = 0; });
+  rig.at(kSecond / 2, [&] { rig.logic.pins.drive_alarm = 1; });
+  rig.at(kSecond, [&] { rig.logic.pins.drive_alarm = 0; });
   rig.submit_at(kSecond - 100, joints({10, 0, 0, 0, 0, 0}, kSecond));
   rig.submit_at(kSecond + 100, ClearFault{});
   rig.move_at(kSecond + 1'000, {2, 0, 0, 0, 0, 0});

@@ -148,8 +148,8 @@ TEST(Stream, IsRefusedOnceBesideAMove) {
 TEST(Stream, EndsInAFaultAndTheArmMovesAgainAfterIt) {
   ControllerRig rig;
   submit_swing(rig, 500);
-  rig.at(2'000, [&] { rig.logic.alarm = 1; });
-  rig.at(6'000, [&] { rig.logic.alarm = 0; });
+  rig.at(2'000, [&] { rig.logic.pins.drive_alarm = 1; });
+  rig.at(6'000, [&] { rig.logic.pins.drive_alarm = 0; });
   rig.submit_at(12'000, ClearFault{});
   rig.move_at(13'000, {1, 0, 0, 0, 0, 0});
   rig.run(30'000);

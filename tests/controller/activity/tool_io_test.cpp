@@ -31,7 +31,7 @@ struct ToolIoTest : testing::Test {
   void run(std::int64_t triggers) {
     for (std::int64_t k = 0; k < triggers; ++k) {
       rig.at(k, [this] {
-        outputs.push_back(rig.logic.tool_outputs);
+        outputs.push_back(rig.logic.tool_outputs());
         std::int64_t sum = 0;
         for (std::size_t axis = 0; axis < kAxes; ++axis) sum += std::abs(rig.logic.emitted(axis));
         emitted.push_back(sum);
@@ -79,7 +79,7 @@ TEST_F(ToolIoTest, AnOutputKeepsTheOthers) {
   rig.submit_at(20, SetOutput{.pin = 2, .level = false});
   run(30);
   EXPECT_EQ(outputs[15], 0x8003u);
-  EXPECT_EQ(rig.logic.tool_outputs, 0x8001u);
+  EXPECT_EQ(rig.logic.tool_outputs(), 0x8001u);
 }
 
 // Brakes within two ticks, so that pulses come out to the very end of a move.
@@ -191,7 +191,7 @@ TEST_F(ToolIoTest, ATimeOutRefusesTheWaitAndAllBehindItAndNothingLater) {
   EXPECT_EQ(after, 3);
   EXPECT_EQ(refusals(),
             (Refusals{{1, Refusal::kInputTimeout}, {2, Refusal::kInputTimeout}, {3, Refusal::kInputTimeout}}));
-  EXPECT_EQ(rig.logic.tool_outputs, 2u);
+  EXPECT_EQ(rig.logic.tool_outputs(), 2u);
   EXPECT_TRUE(rig.moves.empty());
 }
 
@@ -225,7 +225,7 @@ TEST_F(ToolIoTest, AStopDropsThemAndLeavesTheOutputs) {
   rig.submit_at(5'000, SetOutput{.pin = 2, .level = true, .tag = 5});  // the stop has lost no plan
   run(6'000);
   EXPECT_EQ(refusals(), (Refusals{{3, Refusal::kNotReady}, {4, Refusal::kNotReady}}));
-  EXPECT_EQ(rig.logic.tool_outputs, 3u);
+  EXPECT_EQ(rig.logic.tool_outputs(), 3u);
   EXPECT_EQ(watch(2), 5'001);
 }
 
@@ -257,16 +257,16 @@ TEST_F(ToolIoTest, AFaultDropsThemAndTheyWorkAgainAfterIt) {
   rig.submit_at(6, JointMove{.target = degrees({10, 0, 0, 0, 0, 0}), .tag = 2});
   rig.submit_at(6, JointMove{.target = degrees({0, 0, 0, 0, 0, 0}), .tag = 3});
   rig.submit_at(6, SetOutput{.pin = 1, .level = false, .tag = 4});
-  rig.at(1'000, [this] { rig.logic.estop_pin = true; });
+  rig.at(1'000, [this] { rig.logic.pins.estop_n = false; });
   rig.submit_at(1'100, SetOutput{.pin = 2, .level = true, .tag = 5});
-  rig.at(2'000, [this] { rig.logic.estop_pin = false; });
+  rig.at(2'000, [this] { rig.logic.pins.estop_n = true; });
   rig.submit_at(6'000, ClearFault{});
   rig.submit_at(7'000, SetOutput{.pin = 3, .level = true, .tag = 6});
   run(8'000);
   Refusals sorted = refusals();
   std::sort(sorted.begin(), sorted.end());
   EXPECT_EQ(sorted, (Refusals{{3, Refusal::kNotReady}, {4, Refusal::kNotReady}, {5, Refusal::kNotReady}}));
-  EXPECT_EQ(rig.logic.tool_outputs, 5u);
+  EXPECT_EQ(rig.logic.tool_outputs(), 5u);
   EXPECT_EQ(watch(3), 7'001);
 }
 

@@ -79,7 +79,7 @@ TEST_F(CartesianInterruptions, AFaultInAChainReportsTheMovesThatHaveNotBegun) {
     rig.submit(shift(0, 30, 0, 3.0));
     rig.submit(shift(0, 0, 30));
   });
-  rig.at(kThere + 2'000, [&] { rig.logic.alarm = 1; });
+  rig.at(kThere + 2'000, [&] { rig.logic.pins.drive_alarm = 1; });
   rig.run(kThere + 3'000);
   EXPECT_EQ(rig.moves.size(), 2u);
   EXPECT_EQ(rig.refusals.size(), 2u);
@@ -145,8 +145,8 @@ TEST_F(CartesianInterruptions, EveryMoveIsStartedOrReportedWhateverHappens) {
         break;
       case 3:
         if (random.integer(0, 3) != 0) break;
-        rig.at(at, [&] { rig.logic.alarm = 1; });
-        rig.at(at + 2, [&] { rig.logic.alarm = 0; });
+        rig.at(at, [&] { rig.logic.pins.drive_alarm = 1; });
+        rig.at(at + 2, [&] { rig.logic.pins.drive_alarm = 0; });
         break;
       case 4:
         rig.submit_at(at, ClearFault{.tag = kNoMove});

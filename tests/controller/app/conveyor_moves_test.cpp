@@ -157,8 +157,8 @@ TEST(Conveyor, AJogAndAMoveThatBeginsAtOnceAreRefusedOnThePart) {
 TEST(Conveyor, AFaultEndsTheFollowingAndTheNextPartIsPicked) {
   ConveyorRig conveyor{hundred};
   conveyor.pick();
-  conveyor.rig.at(2 * kSecond, [&] { conveyor.rig.logic.alarm = 1; });
-  conveyor.rig.at(2 * kSecond + 4'000, [&] { conveyor.rig.logic.alarm = 0; });
+  conveyor.rig.at(2 * kSecond, [&] { conveyor.rig.logic.pins.drive_alarm = 1; });
+  conveyor.rig.at(2 * kSecond + 4'000, [&] { conveyor.rig.logic.pins.drive_alarm = 0; });
   conveyor.rig.submit_at(2 * kSecond + 8'000, ClearFault{});
   conveyor.part_at(3 * kSecond);
   conveyor.rig.submit_at(3 * kSecond, PoseMove{.target = {.position_mm = {380, -60, 260}}});

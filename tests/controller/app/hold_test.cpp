@@ -177,8 +177,8 @@ TEST(Hold, AFaultEndsIt) {
   ControllerRig rig;
   rig.move_at(0, kFigure9Deg);
   rig.submit_at(6'000, Hold{});
-  rig.at(9'000, [&] { rig.logic.alarm = 1; });
-  rig.at(9'100, [&] { rig.logic.alarm = 0; });
+  rig.at(9'000, [&] { rig.logic.pins.drive_alarm = 1; });
+  rig.at(9'100, [&] { rig.logic.pins.drive_alarm = 0; });
   rig.submit_at(12'000, ClearFault{});
   rig.move_at(12'100, {1, 1, 1, 1, 1, 1});
   rig.run(30'000);
@@ -189,8 +189,8 @@ TEST(Hold, AFaultEndsIt) {
 
 TEST(Hold, OneThatIsAskedForInFaultHoldsTheFirstMoveAfterIt) {
   ControllerRig rig;
-  rig.at(100, [&] { rig.logic.alarm = 1; });
-  rig.at(200, [&] { rig.logic.alarm = 0; });
+  rig.at(100, [&] { rig.logic.pins.drive_alarm = 1; });
+  rig.at(200, [&] { rig.logic.pins.drive_alarm = 0; });
   rig.submit_at(300, Hold{});
   rig.submit_at(1'000, ClearFault{});
   rig.move_at(1'100, {1, 1, 1, 1, 1, 1});

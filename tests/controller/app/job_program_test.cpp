@@ -108,7 +108,7 @@ TEST_P(JobPulse, EndsInTimeWhateverBecomesOfTheProgram) {
   watch(4);
   if (what == "hold") at(1'000, [](ProgramClient& program) { EXPECT_TRUE(program.hold()); });
   if (what == "abort") at(1'000, [](ProgramClient& program) { EXPECT_TRUE(program.abort()); });
-  if (what == "fault") rig->at(1'000, [this] { rig->logic.estop_pin = true; });
+  if (what == "fault") rig->at(1'000, [this] { rig->logic.pins.estop_n = false; });
   if (what == "stop") rig->submit_at(1'000, Stop{});
   rig->run(6'000);
   EXPECT_EQ(state(), what == "pause"   ? State::kPaused

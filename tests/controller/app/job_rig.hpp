@@ -49,7 +49,7 @@ struct JobRig : testing::Test {
   }
   // The output of a pin in each tick from now on.
   void watch(int pin) {
-    rig->on_each_trigger = [this, pin] { levels.push_back((rig->logic.tool_outputs >> (pin - 1) & 1U) != 0); };
+    rig->on_each_trigger = [this, pin] { levels.push_back((rig->logic.tool_outputs() >> (pin - 1) & 1U) != 0); };
   }
   [[nodiscard]] State state() const { return rig->program().state(); }
   [[nodiscard]] std::int64_t pulses() const { return rig->last().reference_pulses[0].value(); }

@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "controller/base/timebase.hpp"
+#include "controller/regs/pulse_train_regs.hpp"
 #include "tests/controller/support/controller_rig.hpp"
 #include "tests/controller/support/random.hpp"
 
@@ -28,9 +29,9 @@ TEST_P(OneLateTick, LosesNoPulseAndDoesNotHurry) {
   rig.move_at(0, kFigure9Deg);
   be_late_at(rig, 8'700, GetParam());
   rig.run(25'000);
-  EXPECT_GT(rig.logic.underruns, 0u);
-  EXPECT_EQ(rig.last().underruns, rig.logic.underruns);
-  EXPECT_EQ(rig.logic.recommits(), 0u);
+  EXPECT_GT(rig.logic.underruns(), 0u);
+  EXPECT_EQ(rig.last().underruns, rig.logic.underruns());
+  EXPECT_EQ(rig.logic.faults_read() & regs::pulse_train::kFaultRecommitMask, 0u);
   EXPECT_TRUE(rig.faults.empty());
   EXPECT_LE(rig.logic.largest_count(), 9);  // never two ticks' pulses in one
   rig.expect_pulses_conserved();
@@ -58,9 +59,9 @@ TEST(Lateness, RandomLatenessLosesNoPulse) {
       be_late_at(rig, tick, random.real(0.7, 2.6));
     }
     rig.run(16'000);
-    EXPECT_GT(rig.logic.underruns, 5u);
-    EXPECT_EQ(rig.last().underruns, rig.logic.underruns);
-    EXPECT_EQ(rig.logic.recommits(), 0u);
+    EXPECT_GT(rig.logic.underruns(), 5u);
+    EXPECT_EQ(rig.last().underruns, rig.logic.underruns());
+    EXPECT_EQ(rig.logic.faults_read() & regs::pulse_train::kFaultRecommitMask, 0u);
     EXPECT_TRUE(rig.faults.empty());
     EXPECT_EQ(rig.moves_finished(), 1);
     EXPECT_LE(rig.logic.largest_count(), 9);
@@ -90,7 +91,7 @@ TEST(Lateness, ACoreThatStaysTooSlowTripsTheWatchdogAndTheArmStaysStopped) {
   rig.move_at(0, kFigure9Deg);
   rig.at(8'700, [&] { rig.logic.tick_cycles = 6 * 2'500; });
   rig.run(20'000);
-  EXPECT_NE(rig.logic.word(test::FakeLogic::kPulses + regs::pulse_train::kStatusOffset) &
+  EXPECT_NE(rig.logic.peek(test::ModelLogic::kPulses + regs::pulse_train::kStatusOffset) &
                 regs::pulse_train::kStatusWatchdogMask,
             0u);
   ASSERT_EQ(rig.faults.size(), 1u);

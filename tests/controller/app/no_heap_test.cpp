@@ -60,8 +60,8 @@ TEST(NoHeap, MovesStopsAndFaultsIn12000TicksAllocateNothing) {
   rig.submit_at(4'000, Stop{});
   rig.move_at(4'001, {});
   rig.move_at(4'002, {0, 0, 999, 0, 0, 0});
-  rig.at(9'000, [&] { rig.logic.alarm = 1; });
-  rig.at(9'500, [&] { rig.logic.alarm = 0; });
+  rig.at(9'000, [&] { rig.logic.pins.drive_alarm = 1; });
+  rig.at(9'500, [&] { rig.logic.pins.drive_alarm = 0; });
   rig.submit_at(9'600, ClearFault{});
   rig.move_at(9'700, {5, 0, 0, 0, 0, 0});
   rig.at(6'000, [&] { rig.logic.drives[2].lose = 50; });

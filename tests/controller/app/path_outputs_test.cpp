@@ -147,7 +147,7 @@ TEST_F(PathOutputsTest, SharePinsWithCommandsBetweenTheMoves) {
     rig.submit(SetOutput{.pin = 1, .level = false});
   });
   watch(20'000);
-  EXPECT_EQ(rig.logic.tool_outputs, 0b110u);
+  EXPECT_EQ(rig.logic.tool_outputs(), 0b110u);
   ASSERT_EQ(rig.switched.size(), 2u);
   ASSERT_EQ(rig.io.size(), 2u);
 }

@@ -188,8 +188,8 @@ TEST_P(ProgramInFault, NothingOfItContinuesAfterTheFaultIsCleared) {
                                     : "") +
                   std::string{"MOVJ C00003 VJ=10.00\nMOVJ C00001 VJ=10.00\n"}));
   if (what == "hold") at(2'000, [](ProgramClient& program) { EXPECT_TRUE(program.hold()); });
-  rig->at(5'000, [this] { rig->logic.estop_pin = true; });
-  rig->at(6'000, [this] { rig->logic.estop_pin = false; });
+  rig->at(5'000, [this] { rig->logic.pins.estop_n = false; });
+  rig->at(6'000, [this] { rig->logic.pins.estop_n = true; });
   rig->submit_at(8'000, ClearFault{});
   rig->at(9'000, [this] { rig->logic.set_tool_input(1, true); });
   State after{};

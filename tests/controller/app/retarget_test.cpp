@@ -119,7 +119,7 @@ TEST(Retarget, IsRefusedDuringAJogAndInAFault) {
   jog.joint_rad_s[0] = 0.1;
   rig.submit_at(10, jog);
   rig.submit_at(2'000, now_to({10, 0, 0, 0, 0, 0}, 1));
-  rig.at(15'000, [&] { rig.logic.alarm = 1; });
+  rig.at(15'000, [&] { rig.logic.pins.drive_alarm = 1; });
   rig.submit_at(15'010, now_to({10, 0, 0, 0, 0, 0}, 2));
   rig.run(kSecondTicks);
   ASSERT_EQ(rig.refusals.size(), 2u);

@@ -84,7 +84,7 @@ TEST(Dispatcher, ClearFaultOutsideFaultChangesNothing) {
 
 TEST(Dispatcher, ClearFaultIsRefusedOnHardwareThatIsNotItsOwn) {
   ControllerRig rig;
-  rig.logic.pulses_id = 0;
+  rig.logic.plant(test::ModelLogic::kPulses, 0);
   rig.run(1);  // the trigger never starts: commands come after the notice
   for (const Command& command : {Command{ClearFault{}}, Command{JointMove{}}, Command{ClearFault{}}}) {
     rig.submit(command);
@@ -120,8 +120,8 @@ TEST(Dispatcher, AcceptsAMoveOfAlmostADay) {
 TEST(Dispatcher, HearsEverythingThatHappenedWhileItSlept) {
   ControllerRig rig;
   rig.core1_awake = [&] { return rig.logic.triggers() > 200; };
-  rig.at(100, [&] { rig.logic.alarm = 1; });  // the start and a fault: as many notices as there can be
-  rig.at(102, [&] { rig.logic.alarm = 0; });
+  rig.at(100, [&] { rig.logic.pins.drive_alarm = 1; });  // the start and a fault: as many notices as there can be
+  rig.at(102, [&] { rig.logic.pins.drive_alarm = 0; });
   rig.submit_at(400, ClearFault{});
   rig.run(1'000);
   EXPECT_EQ(rig.faults.size(), 1u);
@@ -132,11 +132,11 @@ TEST(Dispatcher, AStopThatMeetsAFaultLeavesRoomForTheClearFault) {
   ControllerRig rig;
   rig.at(100, [&] {
     rig.submit(Stop{});
-    rig.logic.alarm = 1;
+    rig.logic.pins.drive_alarm = 1;
   });
   rig.at(101, [&] {
     rig.submit(ClearFault{});  // two unread orders: as many as there can be
-    rig.logic.alarm = 0;
+    rig.logic.pins.drive_alarm = 0;
   });
   rig.submit_at(400, ClearFault{});
   rig.run(1'000);
@@ -165,8 +165,8 @@ TEST(Dispatcher, EveryMoveIsStartedOrReportedAsRefused) {
     if (random.integer(0, 1) == 0) {
       const std::int64_t fault = start + random.integer(100, 1'300);
       if (random.integer(0, 1) == 0) rig.submit_at(fault - random.integer(0, 60), Stop{});
-      rig.at(fault, [&] { rig.logic.alarm = 1; });
-      rig.at(fault + 2, [&] { rig.logic.alarm = 0; });
+      rig.at(fault, [&] { rig.logic.pins.drive_alarm = 1; });
+      rig.at(fault + 2, [&] { rig.logic.pins.drive_alarm = 0; });
     }
     rig.submit_at(start + 1'800, ClearFault{});
   }
@@ -183,8 +183,8 @@ TEST(Dispatcher, EveryMoveIsStartedOrReportedAsRefused) {
 TEST(Dispatcher, AFaultDropsTheMovesThatWait) {
   ControllerRig rig;
   for (int i = 0; i < 14; ++i) rig.move_at(0, {i % 2 == 0 ? 30.0 : 0.0, 0, 0, 0, 0, 0});
-  rig.at(1'000, [&] { rig.logic.alarm = 1; });
-  rig.at(1'100, [&] { rig.logic.alarm = 0; });
+  rig.at(1'000, [&] { rig.logic.pins.drive_alarm = 1; });
+  rig.at(1'100, [&] { rig.logic.pins.drive_alarm = 0; });
   rig.submit_at(5'000, ClearFault{});
   rig.run(10'000);
   EXPECT_EQ(rig.last().state, MotionState::kIdle);

@@ -5,20 +5,24 @@
 #include <cstdint>
 #include <stdexcept>
 
-#include "tests/controller/support/fake_logic.hpp"
+#include "controller/regs/pulse_train_regs.hpp"
+#include "tests/controller/support/model_logic.hpp"
 #include "tests/controller/support/robots.hpp"
 
 namespace armature {
 namespace {
 
+constexpr RegAddr kDirSetup = test::ModelLogic::kPulses + regs::pulse_train::kDirSetupOffset;
+constexpr RegAddr kDirHold = test::ModelLogic::kPulses + regs::pulse_train::kDirHoldOffset;
+
 TEST(CountLogicPort, TheSlowestDriveSetsTheTimesAroundAChangeOfDirection) {
   RobotModel robot = test::paper_robot();
   robot.axes[2].dir_setup_cycles = 1'023;
   robot.axes[5].dir_hold_cycles = 26;
-  test::FakeLogic logic;
+  test::ModelLogic logic;
   CountLogicPort{logic}.start(robot);
-  EXPECT_EQ(logic.dir_setup, 1'023u);
-  EXPECT_EQ(logic.dir_hold, 26u);
+  EXPECT_EQ(logic.peek(kDirSetup), 1'023u);
+  EXPECT_EQ(logic.peek(kDirHold), 26u);
 }
 
 TEST(CountLogicPort, FastDrivesShortenTheTimesAroundAChangeOfDirection) {
@@ -27,20 +31,20 @@ TEST(CountLogicPort, FastDrivesShortenTheTimesAroundAChangeOfDirection) {
     axis.dir_setup_cycles = 7;
     axis.dir_hold_cycles = 0;
   }
-  test::FakeLogic logic;
+  test::ModelLogic logic;
   CountLogicPort{logic}.start(robot);
-  EXPECT_EQ(logic.dir_setup, 7u);
-  EXPECT_EQ(logic.dir_hold, 0u);
+  EXPECT_EQ(logic.peek(kDirSetup), 7u);
+  EXPECT_EQ(logic.peek(kDirHold), 0u);
 }
 
-// The fake ends the program when a time is written after the servos are on, as a bus error does.
+// The logic refuses a time that is written after the servos are on.
 TEST(CountLogicPort, SetsTheTimesBeforeItEnablesTheDrives) {
-  test::FakeLogic logic;
+  test::ModelLogic logic;
   CountLogicPort port{logic};
   port.start(test::paper_robot());
   ASSERT_EQ(logic.servo_on(), 0x3Fu);
   for (const std::uint32_t offset : {0x14u, 0x1Cu, 0x20u, 0x24u}) {
-    const RegAddr addr = test::FakeLogic::kPulses + offset;
+    const RegAddr addr = test::ModelLogic::kPulses + offset;
     EXPECT_THROW(logic.write(addr, 2'500), std::logic_error) << std::hex << offset;
   }
   port.set_servo(false);
@@ -49,16 +53,15 @@ TEST(CountLogicPort, SetsTheTimesBeforeItEnablesTheDrives) {
 }
 
 TEST(CountLogicPort, ShiftsThePositionsOfAnAxisAndItsIndex) {
-  test::FakeLogic logic;
+  test::ModelLogic logic;
   CountLogicPort port{logic};
   port.start(test::paper_robot());
   EXPECT_FALSE(port.index(2)) << "not latched";
-  logic.index_seen = 0b000100;
-  logic.index_position(2) = static_cast<std::uint32_t>(-300);
+  logic.pass_index(2, -300);
   const auto move_to = [&](std::int64_t counts) {
     logic.drives[2].position = static_cast<double>(counts);
     logic.drives[2].stuck = true;
-    logic.pass(test::FakeLogic::kTick);
+    logic.pass(test::ModelLogic::kTick);
     return port.sample().encoder[2];
   };
   EXPECT_EQ(move_to(-500), Counts{-500});
@@ -73,17 +76,16 @@ TEST(CountLogicPort, ShiftsThePositionsOfAnAxisAndItsIndex) {
 
 // The position needs 64 bits while the registers have 32.
 TEST(CountLogicPort, FindsTheIndexNearAPositionBeyondTheRegister) {
-  test::FakeLogic logic;
+  test::ModelLogic logic;
   CountLogicPort port{logic};
   port.start(test::paper_robot());
   logic.drives[0].stuck = true;
   for (const std::int64_t counts : {2'000'000'000LL, 4'000'000'000LL, 4'294'967'200LL}) {
     logic.drives[0].position = static_cast<double>(counts);
-    logic.pass(test::FakeLogic::kTick);
+    logic.pass(test::ModelLogic::kTick);
     EXPECT_EQ(port.sample().encoder[0], Counts{counts});
   }
-  logic.index_seen = 1;
-  logic.index_position(0) = 104;  // 2^32 + 104
+  logic.pass_index(0, 4'294'967'400);
   EXPECT_EQ(port.index(0), Counts{4'294'967'400});
 }
 

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "controller/regs/encoder_regs.hpp"
+#include "controller/regs/pulse_train_regs.hpp"
 #include "tests/controller/support/controller_rig.hpp"
 
 namespace armature {
@@ -22,8 +24,8 @@ TEST(MotionLoop, StartsIdleWithTheDrivesOn) {
   EXPECT_EQ(rig.row(0).tick, Ticks{0});
   EXPECT_EQ(rig.last().state, MotionState::kIdle);
   EXPECT_EQ(rig.logic.servo_on(), 0x3Fu);
-  EXPECT_EQ(rig.logic.underruns, 0u);
-  EXPECT_EQ(rig.logic.recommits(), 0u);
+  EXPECT_EQ(rig.logic.underruns(), 0u);
+  EXPECT_EQ(rig.logic.faults_read() & regs::pulse_train::kFaultRecommitMask, 0u);
 }
 
 TEST(MotionLoop, AClockThatStoodStillIsAFaultAtRestAndInAMove) {
@@ -50,7 +52,7 @@ TEST(MotionLoop, APauseOfAQuarterTickIsNoFaultOfTheClock) {
 TEST(MotionLoop, AnotherBlockThanItsOwnKeepsItFromStarting) {
   for (const bool pulse_train : {true, false}) {
     ControllerRig rig;
-    (pulse_train ? rig.logic.pulses_id : rig.logic.encoder_id) = 0xBADA'CCE5;
+    rig.logic.plant(pulse_train ? test::ModelLogic::kPulses : test::ModelLogic::kEncoder, 0xBADA'CCE5);
     rig.move_at(0, kFigure9Deg);
     rig.submit(JointMove{});
     rig.run(100);
@@ -66,11 +68,12 @@ TEST(MotionLoop, AnotherBlockThanItsOwnKeepsItFromStarting) {
 
 TEST(MotionLoop, AnEncoderThatNeverSettledKeepsTheDrivesOff) {
   ControllerRig rig;
-  rig.logic.encoder_known = 0b101011;
+  const RegAddr known = test::ModelLogic::kEncoder + regs::encoder::kKnownOffset;
+  rig.logic.plant(known, 0b101011);
   rig.move_at(500, {1, 1, 1, 1, 1, 1});  // in Fault: refused
   rig.at(900, [&] { EXPECT_EQ(rig.logic.servo_on(), 0u); });
   rig.submit_at(1'000, ClearFault{});
-  rig.at(2'000, [&] { rig.logic.encoder_known = 0x3F; });
+  rig.at(2'000, [&] { rig.logic.remove_planted(known); });
   rig.submit_at(2'100, ClearFault{});
   rig.move_at(2'200, {3, -3, 3, -3, 3, -3});
   rig.run(10'000);
@@ -81,8 +84,8 @@ TEST(MotionLoop, AnEncoderThatNeverSettledKeepsTheDrivesOff) {
   EXPECT_EQ(rig.row(2'050).state, MotionState::kFault);
   EXPECT_EQ(rig.last().state, MotionState::kIdle);
   EXPECT_EQ(rig.refusals.size(), 2u);  // the move and the first ClearFault
-  EXPECT_EQ(rig.logic.recommits(), 0u);
-  EXPECT_EQ(rig.logic.underruns, 0u);
+  EXPECT_EQ(rig.logic.faults_read() & regs::pulse_train::kFaultRecommitMask, 0u);
+  EXPECT_EQ(rig.logic.underruns(), 0u);
   rig.expect_at({3, -3, 3, -3, 3, -3});
 }
 
@@ -219,29 +222,28 @@ struct FaultCase {
   const char* name;
   FaultCause cause;
   std::uint8_t axis;
-  void (*provoke)(test::FakeLogic&);
-  void (*remove)(test::FakeLogic&);
+  void (*provoke)(test::ModelLogic&);
+  void (*remove)(test::ModelLogic&);
 };
 
-constexpr std::uint32_t kPositiveLimitOf1 = regs::insert(0, regs::pulse_train::kSwitchesLimitPos, 0b000001);
-constexpr std::uint32_t kNegativeLimitOf2 = regs::insert(0, regs::pulse_train::kSwitchesLimitNeg, 0b000010);
-void nothing(test::FakeLogic&) {}
+constexpr RegAddr kEncoderFault = test::ModelLogic::kEncoder + regs::encoder::kFaultOffset;
+void nothing(test::ModelLogic&) {}
 
 const FaultCase kFaultCases[] = {
-    {"EmergencyStop", FaultCause::kEstop, 0, [](test::FakeLogic& logic) { logic.estop_pin = true; },
-     [](test::FakeLogic& logic) { logic.estop_pin = false; }},
-    {"DriveAlarm", FaultCause::kDriveAlarm, 4, [](test::FakeLogic& logic) { logic.alarm = 0b001000; },
-     [](test::FakeLogic& logic) { logic.alarm = 0; }},
-    {"IllegalTransition", FaultCause::kEncoder, 2, [](test::FakeLogic& logic) { logic.encoder_fault = 0b000010; },
+    {"EmergencyStop", FaultCause::kEstop, 0, [](test::ModelLogic& logic) { logic.pins.estop_n = false; },
+     [](test::ModelLogic& logic) { logic.pins.estop_n = true; }},
+    {"DriveAlarm", FaultCause::kDriveAlarm, 4, [](test::ModelLogic& logic) { logic.pins.drive_alarm = 0b001000; },
+     [](test::ModelLogic& logic) { logic.pins.drive_alarm = 0; }},
+    {"IllegalTransition", FaultCause::kEncoder, 2,
+     [](test::ModelLogic& logic) { logic.plant(kEncoderFault, 0b000010); }, nothing},
+    {"IndexMismatch", FaultCause::kEncoder, 6,
+     [](test::ModelLogic& logic) { logic.plant(kEncoderFault, 0b100000 << 8); }, nothing},
+    {"PositiveLimit", FaultCause::kLimitSwitch, 1, [](test::ModelLogic& logic) { logic.pins.limit_pos = 0b000001; },
      nothing},
-    {"IndexMismatch", FaultCause::kEncoder, 6, [](test::FakeLogic& logic) { logic.encoder_fault = 0b100000 << 8; },
+    {"NegativeLimit", FaultCause::kLimitSwitch, 2, [](test::ModelLogic& logic) { logic.pins.limit_neg = 0b000010; },
      nothing},
-    {"PositiveLimit", FaultCause::kLimitSwitch, 1, [](test::FakeLogic& logic) { logic.switches = kPositiveLimitOf1; },
-     nothing},
-    {"NegativeLimit", FaultCause::kLimitSwitch, 2, [](test::FakeLogic& logic) { logic.switches = kNegativeLimitOf2; },
-     nothing},
-    {"FollowingError", FaultCause::kFollowingError, 3, [](test::FakeLogic& logic) { logic.drives[2].stuck = true; },
-     [](test::FakeLogic& logic) { logic.drives[2].stuck = false; }},
+    {"FollowingError", FaultCause::kFollowingError, 3, [](test::ModelLogic& logic) { logic.drives[2].stuck = true; },
+     [](test::ModelLogic& logic) { logic.drives[2].stuck = false; }},
 };
 
 class MotionLoopFaults : public testing::TestWithParam<FaultCase> {};
@@ -293,7 +295,7 @@ INSTANTIATE_TEST_SUITE_P(Causes, MotionLoopFaults, testing::ValuesIn(kFaultCases
 
 TEST(MotionLoop, InFaultTheDrivesAreOff) {
   ControllerRig rig;
-  rig.at(100, [&] { rig.logic.alarm = 1; });
+  rig.at(100, [&] { rig.logic.pins.drive_alarm = 1; });
   rig.at(103, [&] { EXPECT_EQ(rig.logic.servo_on(), 0u); });
   rig.run(200);
   EXPECT_EQ(rig.last().state, MotionState::kFault);
@@ -301,9 +303,9 @@ TEST(MotionLoop, InFaultTheDrivesAreOff) {
 
 TEST(MotionLoop, FaultStaysWhileItsCauseIsThere) {
   ControllerRig rig;
-  rig.at(100, [&] { rig.logic.estop_pin = true; });
+  rig.at(100, [&] { rig.logic.pins.estop_n = false; });
   for (const std::int64_t at : {1'000, 2'000, 3'000}) rig.submit_at(at, ClearFault{});
-  rig.at(2'500, [&] { rig.logic.estop_pin = false; });
+  rig.at(2'500, [&] { rig.logic.pins.estop_n = true; });
   rig.run(4'000);
   EXPECT_EQ(rig.row(2'400).state, MotionState::kFault);
   EXPECT_EQ(rig.row(2'900).state, MotionState::kFault);
@@ -315,8 +317,8 @@ TEST(MotionLoop, FaultStaysWhileItsCauseIsThere) {
 
 TEST(MotionLoop, FaultIsNotLeftWhileTheArmStillMoves) {
   ControllerRig rig;
-  rig.at(100, [&] { rig.logic.alarm = 1; });
-  rig.at(200, [&] { rig.logic.alarm = 0; });
+  rig.at(100, [&] { rig.logic.pins.drive_alarm = 1; });
+  rig.at(200, [&] { rig.logic.pins.drive_alarm = 0; });
   for (std::int64_t tick = 200; tick < 1'500; ++tick) {
     rig.at(tick, [&] { rig.logic.drives[5].position += 0.3; });  // sags
   }
@@ -333,27 +335,13 @@ TEST(MotionLoop, FaultIsNotLeftWhileTheArmStillMoves) {
 TEST(MotionLoop, TheArmMayLeaveALimitSwitch) {
   ControllerRig rig;
   rig.move_at(0, {10, 0, 0, 0, 0, 0});
-  rig.at(1'000, [&] { rig.logic.switches = kPositiveLimitOf1; });
+  rig.at(1'000, [&] { rig.logic.pins.limit_pos = 0b000001; });
   rig.submit_at(5'000, ClearFault{});
   rig.move_at(5'100, {-10, 0, 0, 0, 0, 0});
   rig.move_at(5'101, {20, 0, 0, 0, 0, 0});
   rig.run(30'000);
   ASSERT_EQ(rig.faults.size(), 2u);  // towards the switch again
   EXPECT_EQ(rig.moves_finished(), 1);
-}
-
-TEST(MotionLoop, PulsesThatDidNotFitInTheirTickAreSentAgain) {
-  ControllerRig rig;
-  rig.move_at(0, kFigure9Deg);
-  rig.at(5'000, [&] { rig.logic.shorten = {3, 2, 1, 0, 1, 4}; });
-  rig.at(9'000, [&] { rig.logic.shorten = {8, 5, 0, 2, 2, 1}; });
-  rig.run(20'000);
-  const PerAxis<std::int64_t> totals{111'667, -83'333, 69'444, 24'167, -24'167, 97'222};
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    EXPECT_EQ(rig.logic.emitted(axis), totals[axis]);
-    EXPECT_EQ(rig.last().correction[axis], Pulses{0});  // no loss in the drive
-  }
-  rig.expect_pulses_conserved();
 }
 
 }  // namespace

@@ -6,7 +6,8 @@
 
 #include <cstdlib>
 
-#include "tests/controller/support/fake_logic.hpp"
+#include "controller/regs/encoder_regs.hpp"
+#include "tests/controller/support/paper_model_logic.hpp"
 #include "tests/controller/support/robots.hpp"
 #include "tests/support/split_mix.hpp"
 
@@ -21,9 +22,7 @@ constexpr PerAxis<Pulses> on_all_axes(std::int64_t count) {
 
 class PaperPort : public testing::Test {
  protected:
-  explicit PaperPort(const PaperEncoders& encoders = {}) : port{logic, encoders} {
-    for (test::FakeDrive& drive : logic.drives) drive.natural_rad_s = test::FakeDrive::kAtOnce;
-  }
+  explicit PaperPort(const PaperEncoders& encoders = {}) : port{logic, encoders} {}
   void TearDown() override { EXPECT_THAT(logic.breaches, testing::IsEmpty()); }
 
   void start() {
@@ -42,7 +41,7 @@ class PaperPort : public testing::Test {
   }
   // One tick of a core that is in time.
   const LogicInput& tick(const PerAxis<Pulses>& counts) {
-    logic.pass(logic.cycles_to_trigger());
+    logic.pass_to_trigger();
     const LogicInput& input = sample();
     commit(counts);
     return input;
@@ -54,19 +53,18 @@ class PaperPort : public testing::Test {
     for (std::size_t axis = 0; axis < kAxes; ++axis) EXPECT_EQ(committed[axis], logic.emitted(axis)) << axis + 1;
   }
 
-  // Counts and pulses of a tick show at its end.
-  test::FakeLogic logic{test::FakeLogic::Variant::kPaper, 1};
+  test::PaperModelLogic logic;
   PaperLogicPort port;
   PerAxis<std::int64_t> committed{};  // as the motion loop counts: commits, less what was not emitted
 };
 
 TEST_F(PaperPort, KnowsTheBlocksOfTheVariant) {
   EXPECT_TRUE(port.identified());
-  for (std::uint32_t* id : {&logic.pulses_id, &logic.switch_id, &logic.encoder_id}) {
-    const std::uint32_t good = *id;
-    *id ^= 0x0001'0000;
+  for (const RegAddr id :
+       {test::PaperModelLogic::kPulses, test::PaperModelLogic::kSwitch, test::PaperModelLogic::kEncoder}) {
+    logic.plant(id, logic.read32(id) ^ 0x0001'0000u);
     EXPECT_FALSE(port.identified());
-    *id = good;
+    logic.remove_planted(id);
   }
 }
 
@@ -79,11 +77,12 @@ TEST_F(PaperPort, StartsStandingWithTheDrivesOn) {
 }
 
 TEST_F(PaperPort, StaysOffWithABlindDecoder) {
-  logic.encoder_known = 0;
+  const RegAddr known = test::PaperModelLogic::kEncoder + regs::encoder::kKnownOffset;
+  logic.plant(known, 0);
   port.start(test::paper_robot());
   EXPECT_EQ(port.uncounted_axes(), 0b000001);
   EXPECT_EQ(logic.servo_on(), 0u);
-  logic.encoder_known = 1;
+  logic.remove_planted(known);
   port.clear_faults();
   EXPECT_EQ(port.uncounted_axes(), 0);
 }
@@ -92,13 +91,14 @@ TEST_F(PaperPort, EmitsTheNearestCountAndReportsTheRest) {
   start();
   tick({Pulses{1}, Pulses{-1}, Pulses{1}, Pulses{1}, Pulses{-1}, Pulses{1}});  // sets the directions
   tick({Pulses{41}, Pulses{-41}, Pulses{40}, Pulses{0}, Pulses{-7}, Pulses{115}});
-  const LogicInput& input = tick({});
-  EXPECT_EQ(logic.active_count(0), 40);
-  EXPECT_EQ(logic.active_count(1), -40);
-  EXPECT_EQ(logic.active_count(2), 40);
-  EXPECT_EQ(logic.active_count(5), 125);
+  const PerAxis<Pulses> not_emitted = tick({}).not_emitted;
   const PerAxis<Pulses> expected{Pulses{1}, Pulses{-1}, Pulses{0}, Pulses{0}, Pulses{0}, Pulses{-10}};
-  EXPECT_EQ(input.not_emitted, expected);
+  EXPECT_EQ(not_emitted, expected);
+  tick({});
+  EXPECT_EQ(logic.last_tick(0), 40);
+  EXPECT_EQ(logic.last_tick(1), -40);
+  EXPECT_EQ(logic.last_tick(2), 40);
+  EXPECT_EQ(logic.last_tick(5), 125);
   settle();
   expect_nothing_lost();
 }
@@ -109,7 +109,7 @@ TEST_F(PaperPort, AQuantizerThatCarriesTheRestArrivesExactly) {
   constexpr std::int64_t kTicks = 200, kPerTick = 47;  // 46 and 48 exist
   std::int64_t target = 0;
   for (std::int64_t i = 0; i < kTicks; ++i) {
-    logic.pass(logic.cycles_to_trigger());
+    logic.pass_to_trigger();
     (void)sample();
     target += kPerTick;
     commit(on_all_axes(target - committed[0]));
@@ -125,9 +125,10 @@ TEST_F(PaperPort, LosesNothingHoweverLateTheCoreIsAndWhereverItTurns) {
   constexpr std::uint64_t kSeed = 20'210'417;
   SCOPED_TRACE(testing::Message() << "seed " << kSeed);
   test::SplitMix random{kSeed};
+  logic.has_encoders = false;  // edges that nothing here looks at
   start();
   for (int i = 0; i < 4'000; ++i) {
-    logic.pass(logic.cycles_to_trigger());
+    logic.pass_to_trigger();
     if (random.below(5) == 0) logic.pass(static_cast<std::int64_t>(random.below(3 * 2'500)));
     if (sample().status.pending) continue;
     if (random.below(10) == 0) logic.pass(logic.cycles_to_trigger() - static_cast<std::int64_t>(random.below(200)));
@@ -144,9 +145,9 @@ TEST_F(PaperPort, AWidthStandsUntilItIsReplacedAndTheExcessIsReported) {
   tick(on_all_axes(30));
   tick(on_all_axes(30));
   logic.pass(3 * 2'500);  // the core sleeps through three triggers
-  logic.pass(logic.cycles_to_trigger());
-  const LogicInput& input = sample();
+  logic.pass_to_trigger();
   EXPECT_EQ(logic.emitted(0), 4 * 30);
+  const LogicInput& input = sample();
   EXPECT_EQ(input.not_emitted[0], Pulses{-3 * 30});  // two had been committed
   EXPECT_EQ(input.new_underruns, 0u);
   settle();
@@ -158,19 +159,22 @@ TEST_F(PaperPort, WidthsWrittenAfterTheTriggerArePending) {
   tick(on_all_axes(10));
   EXPECT_FALSE(tick(on_all_axes(20)).status.pending);
   const std::uint16_t sequence = port.sequence();
-  logic.pass(logic.cycles_to_trigger());
+  logic.pass_to_trigger();
   EXPECT_EQ(sample().status.sequence, sequence);
   logic.pass(2'500);  // the tick's computation takes that long: the next trigger starts the old widths once more
   commit(on_all_axes(5));
   const LogicInput& late = sample();
   EXPECT_TRUE(late.status.pending);
   EXPECT_EQ(late.status.sequence, sequence);
-  EXPECT_EQ(logic.active_count(0), 20);
   EXPECT_EQ(late.not_emitted[0], Pulses{-20});
-  logic.pass(logic.cycles_to_trigger());
+  logic.pass_to_trigger();
   EXPECT_FALSE(sample().status.pending);
   EXPECT_EQ(port.last().status.sequence, sequence + 1);
-  EXPECT_EQ(logic.active_count(0), 5);
+  EXPECT_EQ(logic.last_tick(0), 20);
+  commit({});
+  logic.pass_to_trigger();
+  (void)sample();
+  EXPECT_EQ(logic.last_tick(0), 5);
   commit({});
   settle();
   expect_nothing_lost();
@@ -180,12 +184,15 @@ TEST_F(PaperPort, ATriggerBetweenTheWritesIsMadeGood) {
   start();
   tick(on_all_axes(25));
   tick(on_all_axes(25));
-  logic.pass(logic.cycles_to_trigger());
+  logic.pass_to_trigger();
   (void)sample();
-  logic.pass(logic.cycles_to_trigger() - 3 * logic.access_cycles - 1);
+  logic.pass(logic.cycles_to_trigger() - 3 * test::PaperModelLogic::kAccessCycles - 2);
   commit(on_all_axes(50));
-  EXPECT_EQ(logic.active_count(0), 50);
-  EXPECT_EQ(logic.active_count(5), 25);
+  logic.pass_to_trigger();
+  (void)sample();
+  EXPECT_EQ(logic.last_tick(0), 50);
+  EXPECT_EQ(logic.last_tick(5), 25);
+  commit({});
   settle();
   expect_nothing_lost();
 }
@@ -212,7 +219,7 @@ TEST_F(PaperPort, PulsesUnderWayWhenTheCountersAreTakenOverAreReported) {
   start();
   tick(on_all_axes(30));
   tick(on_all_axes(30));
-  logic.pass(logic.cycles_to_trigger());
+  logic.pass_to_trigger();
   (void)sample();
   const PerAxis<Pulses>& emitted = port.emitted();
   for (std::size_t axis = 0; axis < kAxes; ++axis) committed[axis] = emitted[axis].value();
@@ -239,9 +246,10 @@ TEST_F(PaperPort, AStopIsReportedAndAfterItTheCountersAreTakenOver) {
   const PerAxis<Pulses>& emitted = port.emitted();
   for (std::size_t axis = 0; axis < kAxes; ++axis) committed[axis] = emitted[axis].value();
   expect_nothing_lost();
+  EXPECT_GT(logic.emitted(0), 50);
+  EXPECT_LT(logic.emitted(0), 150) << "stopped within a tick";
   tick(on_all_axes(-10));
   settle();
-  EXPECT_EQ(logic.emitted(0), 50 - 10);
   expect_nothing_lost();
 }
 
@@ -252,7 +260,7 @@ class PaperPortFixedAxis : public PaperPort {
 
 TEST_F(PaperPortFixedAxis, SeesThatEncoderOnly) {
   start();
-  EXPECT_EQ(logic.selected, 3u);
+  EXPECT_EQ(logic.selected(), 3u);
   for (int i = 0; i < 50; ++i) tick(on_all_axes(-10));
   settle();
   EXPECT_EQ(port.last().always_counted, 0b001000);
@@ -263,14 +271,15 @@ TEST_F(PaperPortFixedAxis, SeesThatEncoderOnly) {
 TEST_F(PaperPortFixedAxis, AnIllegalTransitionIsAFaultOfThatAxis) {
   start();
   EXPECT_FALSE(tick({}).encoder_faults.any());
-  logic.encoder_fault = 1;
+  logic.offsets[3] += 2;
   EXPECT_EQ(tick({}).encoder_faults.illegal, 0b001000);
   port.clear_faults();
   EXPECT_FALSE(tick({}).encoder_faults.any());
 }
 
 TEST_F(PaperPortFixedAxis, WhatTheFirstSelectionIsDecodedAsIsNoCount) {
-  logic.switch_artefact = -1;
+  logic.offsets[3] = -1;
+  logic.pass(100);
   start();
   settle();
   EXPECT_EQ(port.last().encoder[3], Counts{0});
@@ -300,9 +309,11 @@ TEST_F(PaperPortInTurn, EachAxisIsSeenInAllTicksButTheFirstOfItsTurn) {
 }
 
 TEST_F(PaperPortInTurn, TheSwitchItselfIsNoFault) {
+  logic.offsets[1] = 2;
+  logic.pass(100);
   start();
-  logic.encoder_fault = 1;
-  EXPECT_FALSE(tick({}).encoder_faults.any());
+  for (std::int64_t i = 0; i < kEvery + 1; ++i) EXPECT_FALSE(tick({}).encoder_faults.any());
+  EXPECT_NE(logic.read32(test::PaperModelLogic::kEncoder + regs::encoder::kFaultOffset), 0u) << "both lines differ";
 }
 
 TEST_F(PaperPortInTurn, GoesRoundTheAxesThatTheRobotHas) {
@@ -312,7 +323,7 @@ TEST_F(PaperPortInTurn, GoesRoundTheAxesThatTheRobotHas) {
   std::uint32_t visited = 0;
   for (std::int64_t i = 0; i < 7 * kEvery; ++i) {
     tick({});
-    visited |= 1u << logic.selected;
+    visited |= 1u << logic.selected();
   }
   EXPECT_EQ(visited, 0b011111u);
 }

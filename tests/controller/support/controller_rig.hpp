@@ -1,4 +1,4 @@
-// A controller on a FakeLogic, with everything it reports recorded.
+// A controller on a ModelLogic, with everything it reports recorded.
 //
 // Core 1 is served at each trigger and takes no time of its own.
 #pragma once
@@ -21,7 +21,7 @@
 #include "controller/host_memory/controller_config.hpp"
 #include "controller/host_memory/host_side.hpp"
 #include "controller/message/event.hpp"
-#include "tests/controller/support/fake_logic.hpp"
+#include "tests/controller/support/model_logic.hpp"
 #include "tests/controller/support/robots.hpp"
 
 namespace armature::test {
@@ -131,7 +131,7 @@ class ControllerRig final {
   std::function<bool()> core1_awake = [] { return true; };
 
   const RobotModel robot;  // as the controller has it
-  FakeLogic logic;
+  ModelLogic logic;
   std::int64_t core1_reads = 0, core1_writes = 0;
   std::vector<Telemetry> rows;
   std::vector<MoveStarted> moves;
@@ -187,7 +187,7 @@ class ControllerRig final {
    private:
     // No other block is core 1's.
     static RegAddr tool_register(RegAddr addr) {
-      EXPECT_EQ(addr.value & 0xFFFF'0000u, FakeLogic::kTool.value);
+      EXPECT_EQ(addr.value & 0xFFFF'0000u, ModelLogic::kTool.value);
       return addr;
     }
 

@@ -8,7 +8,7 @@
 
 #include "controller/command/dispatcher.hpp"
 #include "controller/kinematics/arm.hpp"
-#include "tests/controller/support/fake_logic.hpp"
+#include "tests/controller/support/model_logic.hpp"
 #include "tests/controller/support/robots.hpp"
 
 namespace armature::test {
@@ -38,7 +38,7 @@ class DispatcherBench {
   Silent events_;
   Inboxes inboxes_;
   ToolIo tool_io_;
-  FakeLogic bus_;
+  ModelLogic bus_;
   const std::unique_ptr<Dispatcher> dispatcher_ =
       std::make_unique<Dispatcher>(robot_, arm_, config_, inboxes_, *channel, tool_io_, events_);
 };

@@ -86,16 +86,19 @@ class HomingRig {
   }
 
   void show() {
-    std::uint32_t home = 0, positive = 0, negative = 0;
+    std::uint8_t home = 0, positive = 0, negative = 0;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       const World& world = worlds[axis];
       const double deg = joint_deg(axis);
-      home |= (deg >= world.home.from_deg && deg <= world.home.to_deg ? 1u : 0u) << axis;
-      negative |= (deg <= world.limits.from_deg ? 1u : 0u) << axis;
-      positive |= (deg >= world.limits.to_deg ? 1u : 0u) << axis;
+      const auto bit = static_cast<std::uint8_t>(1u << axis);
+      if (deg >= world.home.from_deg && deg <= world.home.to_deg) home |= bit;
+      if (deg <= world.limits.from_deg) negative |= bit;
+      if (deg >= world.limits.to_deg) positive |= bit;
       show_index(axis, deg);
     }
-    rig.logic.switches = home | positive << 8 | negative << 16;
+    rig.logic.pins.home = home;
+    rig.logic.pins.limit_pos = positive;
+    rig.logic.pins.limit_neg = negative;
   }
 
   // The last index that the axis has passed since the trigger before.
@@ -106,9 +109,7 @@ class HomingRig {
     turns_[axis] = now;
     if (now == before || !world.has_index) return;
     const double index_deg = std::fmax(now, before) * kIndexDeg + world.index_offset_deg;
-    const auto counts = static_cast<std::int32_t>(std::lround((index_deg - world.start_deg) / deg_per_count(axis)));
-    rig.logic.index_position(axis) = static_cast<std::uint32_t>(counts);
-    rig.logic.index_seen |= 1u << axis;
+    rig.logic.pass_index(axis, std::lround((index_deg - world.start_deg) / deg_per_count(axis)));
   }
 
   PerAxis<std::optional<double>> turns_{};

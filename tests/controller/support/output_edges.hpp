@@ -23,7 +23,7 @@ class OutputEdgesTest : public CartesianMovesTest {
   void watch(std::int64_t triggers) {
     for (std::int64_t k = 0; k < triggers; ++k) {
       rig.at(k, [this, k] {
-        const std::uint32_t now = rig.logic.tool_outputs, changed = now ^ pins_;
+        const std::uint32_t now = rig.logic.tool_outputs(), changed = now ^ pins_;
         for (int pin = 1; pin <= 16; ++pin) {
           const std::uint32_t bit = 1u << (pin - 1);
           if ((changed & bit) != 0) edges.push_back({k - 1, pin, (now & bit) != 0});

@@ -13,7 +13,7 @@
 #include "controller/base/timebase.hpp"
 #include "controller/motion/count_logic_port.hpp"
 #include "controller/motion/motion_loop.hpp"
-#include "tests/controller/support/fake_logic.hpp"
+#include "tests/controller/support/model_logic.hpp"
 #include "tests/controller/support/random.hpp"
 #include "tests/controller/support/robots.hpp"
 
@@ -245,7 +245,7 @@ class SilentObserver final : public ControllerObserver {
 
 TEST(VelocitySource, TheMotionLoopFollowsIt) {
   const RobotModel robot = robot_to_jog();
-  test::FakeLogic logic;
+  test::ModelLogic logic;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const AxisModel& from = robot.axes[axis];
     logic.drives[axis].counts_per_pulse = static_cast<double>(from.counts_per_rev) / from.pulses_per_rev;

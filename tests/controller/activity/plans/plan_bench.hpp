@@ -7,7 +7,7 @@
 
 #include "controller/activity/plans/plan_activity.hpp"
 #include "tests/controller/activity/owner_bench.hpp"
-#include "tests/controller/support/fake_logic.hpp"
+#include "tests/controller/support/model_logic.hpp"
 
 namespace armature::test {
 
@@ -70,7 +70,7 @@ class PlanBench : public OwnerBench {
   }
   [[nodiscard]] const Plan* plan(std::size_t index = 0) const { return channel->plan_store.plans.peek(index); }
 
-  FakeLogic bus;
+  ModelLogic bus;
   const PlanningConfig config{};
   UserFrames frames{};
   const std::unique_ptr<PlanActivity> owned =

@@ -1,4 +1,4 @@
-// A servo drive with its encoder, as the fake of the logic moves it.
+// A servo drive with its encoder, for tests of the controller: independent of cosim/plant.
 #pragma once
 
 #include <cmath>
@@ -7,7 +7,7 @@
 
 namespace armature::test {
 
-struct FakeDrive {
+struct SimpleDrive {
   static constexpr double kAtOnce = std::numeric_limits<double>::infinity();
   double natural_rad_s = 250.0;  // kAtOnce: stands where its pulses say
   double damping = 1.0;
