@@ -3,12 +3,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <initializer_list>
 #include <vector>
 
+#include "cosim/model/slot.hpp"
+#include "cosim/model/uart/axi_uart16550.hpp"
 #include "tests/controller/support/mock_register_bus.hpp"
-#include "tests/rtl/uart_model.hpp"
 
 namespace armature {
 namespace {
@@ -24,8 +27,7 @@ using Source = AxiUart16550::Source;
 constexpr RegAddr kBase{0x43C0'0000};
 constexpr RegAddr kRbr{0x43C0'1000}, kUartIer{0x43C0'1004}, kIir{0x43C0'1008}, kLcr{0x43C0'100C}, kLsr{0x43C0'1014};
 constexpr std::uint32_t kDlab = 0x80;
-constexpr std::uint32_t kDr = 0x01, kOverrun = 0x02, kParityError = 0x04, kFraming = 0x08, kBreak = 0x10, kThre = 0x20,
-                        kTemt = 0x40;
+constexpr std::uint32_t kDr = 0x01, kOverrun = 0x02, kParityError = 0x04, kThre = 0x20, kTemt = 0x40;
 
 class AxiUart16550Driver : public testing::Test {
  protected:
@@ -155,37 +157,68 @@ TEST_F(AxiUart16550Driver, NamesThePendingSourceWithoutTheFifoBits) {
   EXPECT_EQ(uart_.pending(), Source::kLineStatus);
 }
 
-// The registers of a 16550A; whatever is sent is gone at once.
+// The registers of the model of the logic (cosim/model), and the far end of its line. An access takes one clock edge.
 class ModelBus final : public RegisterBus {
  public:
   std::uint32_t read32(RegAddr addr) noexcept override {
-    if (addr == kRbr) return model.read_rbr();
-    if (addr == kIir) return model.read_iir();
-    if (addr == kLsr) return model.read_lsr();
-    return addr == kLcr ? lcr_ : 0;
+    return edge({.read = true, .raddr = static_cast<std::uint16_t>(addr.value - kBase.value)}).rdata;
   }
   void write32(RegAddr addr, std::uint32_t value) noexcept override {
-    if (addr == kLcr) lcr_ = value;
-    if (addr == kIir) model.write_fcr(value);
-    if ((lcr_ & kDlab) != 0) return;
-    if (addr == kUartIer) model.write_ier(value);
-    if (addr == kRbr) sent.push_back(model.transmit({value}).front());
+    edge({.write = true,
+          .waddr = static_cast<std::uint16_t>(addr.value - kBase.value),
+          .wdata = value,
+          .wstrb = 0b0001});
   }
   Interrupts wait_for_interrupt(Interrupts) noexcept override { return Interrupts::kNone; }
   void send_event() noexcept override {}
-  Cycles now() noexcept override { return Cycles{}; }
+  Cycles now() noexcept override { return now_; }
   void charge(Work, std::int64_t) noexcept override {}
 
-  test::UartModel model;
-  std::vector<std::uint32_t> sent;
+  // Runs for so many clock edges.
+  void pass(std::int64_t edges) {
+    for (const Cycles end = now_ + Cycles{edges}; now_ < end;) {
+      const Cycles next = std::max(uart_.wakes_at(now_, pins_), now_ + Cycles{1});
+      now_ = std::min(next, end) - Cycles{1};
+      edge({});
+    }
+  }
+  // The far end sends these bits, from the start bit on, and then a high line for a bit.
+  void receive(std::initializer_list<int> bits) {
+    for (const int bit : bits) send_bit(bit != 0);
+    send_bit(true);
+  }
+  // A character of 8N1.
+  void receive(std::uint32_t data) {
+    send_bit(false);
+    for (int i = 0; i < 8; ++i) send_bit((data >> i & 1u) != 0);
+    send_bit(true);
+  }
+  [[nodiscard]] bool irq() const { return uart_.block().irq(); }
+  [[nodiscard]] bool txd() const { return uart_.block().txd(); }
+
+  static constexpr std::int64_t kBit = std::int64_t{27} * 16;  // 115200 baud
 
  private:
-  std::uint32_t lcr_ = 0;
+  cosim::model::Answer edge(const cosim::model::Strobes& access) {
+    now_ += Cycles{1};
+    return uart_.edge(now_, pins_, access);
+  }
+  void send_bit(bool level) {
+    pins_.rxd = level;
+    pass(kBit);
+  }
+
+  cosim::model::Slot<cosim::model::AxiUart16550, cosim::model::UartInputs> uart_;
+  cosim::model::UartInputs pins_;
+  Cycles now_{};
 };
 
 class AxiUart16550OnModel : public testing::Test {
  protected:
-  void SetUp() override { ASSERT_TRUE(uart_.configure(115'200, {})); }
+  void SetUp() override {
+    bus_.pass(10);
+    ASSERT_TRUE(uart_.configure(115'200, {}));
+  }
   std::vector<std::uint8_t> receive(AxiUart16550::Errors& errors) {
     std::array<std::uint8_t, 32> bytes{};
     const auto received = uart_.receive(bytes);
@@ -199,20 +232,22 @@ class AxiUart16550OnModel : public testing::Test {
 TEST_F(AxiUart16550OnModel, InterruptsAtTheEighthByteAndUntilTheyAreRead) {
   uart_.enable({.received = true});
   for (std::uint32_t i = 0; i < 8; ++i) {
-    EXPECT_FALSE(bus_.model.irq()) << i;
-    bus_.model.arrive({i, 0});
+    EXPECT_FALSE(bus_.irq()) << i;
+    bus_.receive(i);
   }
-  EXPECT_TRUE(bus_.model.irq());
+  EXPECT_TRUE(bus_.irq());
   EXPECT_EQ(uart_.pending(), Source::kReceived);
   AxiUart16550::Errors errors;
   EXPECT_THAT(receive(errors), ElementsAre(0, 1, 2, 3, 4, 5, 6, 7));
-  EXPECT_FALSE(bus_.model.irq());
+  EXPECT_FALSE(bus_.irq());
 }
 
 TEST_F(AxiUart16550OnModel, AFewBytesComeWithTheTimeout) {
   uart_.enable({.received = true});
-  bus_.model.arrive({'a', 0});
-  bus_.model.four_characters_pass();
+  bus_.receive('a');
+  bus_.pass(39 * ModelBus::kBit);
+  EXPECT_EQ(uart_.pending(), Source::kNone);
+  bus_.pass(2 * ModelBus::kBit);
   EXPECT_EQ(uart_.pending(), Source::kReceiveTimeout);
   AxiUart16550::Errors errors;
   EXPECT_THAT(receive(errors), ElementsAre('a'));
@@ -221,25 +256,26 @@ TEST_F(AxiUart16550OnModel, AFewBytesComeWithTheTimeout) {
 
 TEST_F(AxiUart16550OnModel, EachErrorComesWithItsOwnCharacter) {
   using Errors = AxiUart16550::Errors;
-  bus_.model.arrive({'a', 0});
-  bus_.model.arrive({'b', kParityError});
-  bus_.model.arrive({'c', kFraming});
-  bus_.model.arrive({0, kBreak | kFraming});
-  bus_.model.arrive({'d', 0});
+  ASSERT_TRUE(uart_.configure(115'200, {.data_bits = 5, .parity = Parity::kEven}));
+  bus_.receive({0, 1, 0, 0, 0, 0, 1, 1});  // start, 5 bits from the lowest, parity, stop
+  bus_.receive({0, 0, 1, 0, 0, 0, 0, 1});  // wrong parity
+  bus_.receive({0, 1, 1, 0, 0, 0, 0, 0});  // no stop bit
+  bus_.receive({0, 0, 0, 0, 0, 0, 0, 0});  // break
+  bus_.receive({0, 0, 0, 1, 0, 0, 1, 1});
   Errors errors;
-  EXPECT_THAT(receive(errors), ElementsAre('a', 'b'));
+  EXPECT_THAT(receive(errors), ElementsAre(1, 2));
   EXPECT_EQ(errors, Errors{.parity = true});
   EXPECT_TRUE(uart_.sent()) << "a look at the status between two calls loses no error";
-  EXPECT_THAT(receive(errors), ElementsAre('c'));
+  EXPECT_THAT(receive(errors), ElementsAre(3));
   EXPECT_EQ(errors, Errors{.framing = true});
   EXPECT_THAT(receive(errors), ElementsAre(0));
   EXPECT_EQ(errors, (Errors{.framing = true, .line_break = true}));
-  EXPECT_THAT(receive(errors), ElementsAre('d'));
+  EXPECT_THAT(receive(errors), ElementsAre(4));
   EXPECT_FALSE(errors.any());
 }
 
 TEST_F(AxiUart16550OnModel, AnOverrunIsToldOnceAndKeepsTheOldCharacters) {
-  for (std::uint32_t i = 0; i < 18; ++i) bus_.model.arrive({i, 0});
+  for (std::uint32_t i = 0; i < 18; ++i) bus_.receive(i);
   AxiUart16550::Errors errors;
   EXPECT_EQ(receive(errors).size(), 16u);
   EXPECT_EQ(errors, AxiUart16550::Errors{.overrun = true});
@@ -253,11 +289,23 @@ TEST_F(AxiUart16550OnModel, EnablingSendEmptyAsksForBytesAtOnce) {
   EXPECT_EQ(uart_.pending(), Source::kNone) << "acknowledged by the first look";
   const std::array<std::uint8_t, 2> bytes{'o', 'k'};
   EXPECT_EQ(uart_.send(bytes), 2u);
-  EXPECT_THAT(bus_.sent, ElementsAre('o', 'k'));
+  std::vector<std::uint8_t> sent(2);
+  for (std::uint8_t& byte : sent) {
+    for (std::int64_t edges = 0; bus_.txd() && edges < 2 * ModelBus::kBit; ++edges) bus_.pass(1);
+    bus_.pass(ModelBus::kBit / 2);
+    for (int i = 0; i < 8; ++i) {
+      bus_.pass(ModelBus::kBit);
+      byte = static_cast<std::uint8_t>(byte | (bus_.txd() ? 1u << i : 0u));
+    }
+    bus_.pass(ModelBus::kBit);
+  }
+  EXPECT_THAT(sent, ElementsAre('o', 'k'));
+  bus_.pass(ModelBus::kBit);
+  EXPECT_TRUE(uart_.sent());
 }
 
 TEST_F(AxiUart16550OnModel, ConfiguringAgainForgetsWhatWasThere) {
-  bus_.model.arrive({'x', kParityError});
+  bus_.receive({0, 1, 1, 1, 1, 0, 0, 0, 0, 0});  // no stop bit
   EXPECT_TRUE(uart_.sent());
   ASSERT_TRUE(uart_.configure(9'600, {}));
   AxiUart16550::Errors errors;
