@@ -8,6 +8,7 @@ processor time, the best of several runs, so that other load hardly matters. Quo
 
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -53,10 +54,11 @@ def run(*command, **options):
 
 def instructions(command, folder):
     """Number of instructions that the whole program executes."""
-    counted = run("perf", "stat", "-x,", "-e", "instructions:u", *command)
-    found = re.search(r"^(\d+),,instructions", counted, re.MULTILINE)
-    if found:
-        return int(found[1])
+    if shutil.which("perf"):
+        counted = run("perf", "stat", "-x,", "-e", "instructions:u", *command)
+        found = re.search(r"^(\d+),,instructions", counted, re.MULTILINE)
+        if found:
+            return int(found[1])
     counted = run("valgrind", "--tool=callgrind", f"--callgrind-out-file={folder}/callgrind", *command)
     return int(re.search(r"Collected : (\d+)", counted)[1])
 
