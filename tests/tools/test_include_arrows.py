@@ -101,6 +101,7 @@ COSIM = {
     "serial": {"time", "text", "net"},
     "pendant": {"time", "text", "net", "robot", "programs", "serial"},
     "trace": {"time", "text"},
+    "waves": {"time", "text"},
     "scenario": {"text", "poses", "logic", "robot", "belt", "programs", "bus", "cpu", "fault", "serial", "pendant"},
     "golden": {"time", "text", "trace", "scenario"},
     "schema": {"text", "robot", "scenario"},
