@@ -106,7 +106,7 @@ COSIM = {
     "golden": {"time", "text", "trace", "scenario"},
     "schema": {"text", "robot", "scenario"},
     "keydoc": {"text", "scenario", "schema", "report"},
-    "report": {"time", "text", "logic", "robot", "belt", "programs", "bus", "trace", "scenario", "golden"},
+    "report": {"time", "text", "logic", "robot", "belt", "programs", "bus", "trace", "waves", "scenario", "golden"},
     "recording": {"text", "trace"},
     "plot": {"text", "recording"},
     "page": {"text", "trace", "recording", "report"},

@@ -169,7 +169,7 @@ class Completion(Program):
         for line, offered in {
             "armature plot --fig": ["--figure\tWhat to draw"],
             "armature comp": [
-                "compare\tCompare two trace files",
+                "compare\tCompare two runs: traces and waveforms",
                 "completion\tPrint a script that lets a shell complete commands",
             ],
             "armature plot --figure path --figure jo": ["joints"],
