@@ -76,6 +76,7 @@ bool Simulation::advance(Cycles until) {
   } catch (const LogicCheckFailed& failed) {
     fail(fmt::format("a check inside the logic failed at cycle {} (message above)", failed.cycle.value()));
   } catch (const EnginesDiffer& difference) {
+    end_.engines_differ_at = difference.cycle;
     fail(fmt::format("the engines differ at cycle {}: {}", difference.cycle.value(), difference.what));
   }
   return !over_;

@@ -52,6 +52,7 @@ struct SimulationEnd {
   EndReason reason = EndReason::kFinished;
   std::string failure;           // of kFailed: what went wrong, with tick, axis, cycle, address or core
   std::string_view program_end;  // of kFinished: an unexpected end of the program ended the run early; empty: none did
+  std::optional<Cycles> engines_differ_at;  // of kFailed: the engines in lock-step differ from this cycle on
   Cycles cycles{};
   std::int64_t bus_reads = 0;
   std::int64_t bus_writes = 0;

@@ -55,6 +55,7 @@ RunSummary Run::finish() {
   summary.serial_unsent = end.serial_unsent;
   summary.interrupted = end.reason == EndReason::kInterrupted;
   if (end.reason == EndReason::kFailed) summary.failure = end.failure;
+  summary.engines_differ_at = end.engines_differ_at;
   summary.program_end = end.program_end;
   if (end.reason == EndReason::kFinished) {
     summary.expect_results = expect_results(scenario_.expect, summary.facts);

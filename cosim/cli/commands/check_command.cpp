@@ -33,6 +33,7 @@
 #include "cosim/report/format/junit.hpp"
 #include "cosim/report/format/progress_bar.hpp"
 #include "cosim/report/format/summary_text.hpp"
+#include "cosim/run/engine_waves.hpp"
 #include "cosim/run/run_folder.hpp"
 #include "cosim/scenario/files/scenario_loader.hpp"
 #include "cosim/text/printable.hpp"
@@ -93,7 +94,7 @@ std::optional<JunitCase> run_and_judge(const Scenario& scenario, const FailureFi
     run.log = folder.path() / kLogFile;
     run.serial_log = folder.path() / kSerialFile;
     run.compare_golden = {kept / kTraceFile, scenario.trace.every_ticks};
-    const RunSummary summary = run_scenario(scenario, run);
+    RunSummary summary = run_scenario(scenario, run);
     if (summary.interrupted) return std::nullopt;
     result.wall_s = summary.host.wall_s;
     result.output = summary_text(summary);
@@ -101,7 +102,13 @@ std::optional<JunitCase> run_and_judge(const Scenario& scenario, const FailureFi
     result.failure = failure_reasons(scenario, summary);
     if (!result.failure.empty()) {
       keep_results(folder.path(), summary, kept);
-      const NextCommand next = next_command(scenario, summary, default_folder(scenario).string(), options);
+      if (summary.engines_differ_at) {
+        write_engine_waves(scenario, *summary.engines_differ_at, kept, {.stop_requested = interrupted});
+        summary.engine_waves_written = true;
+      }
+      const NextCommand next = summary.engine_waves_written
+                                   ? compare_engines_command(kept)
+                                   : next_command(scenario, summary, default_folder(scenario).string(), options);
       result.failure +=
           fmt::format("results: {}\n{}: {}\n", printable(kept.string(), kShowAll), next.what, next.command);
       if (report && can_be_shown(summary)) {

@@ -120,11 +120,14 @@ int run(const RunOptions& given, const SearchPath& path) {
   if (given.output.quiet && summary.passed()) return kExitOk;
   std::cout << with_color(summary_text(summary))
             << fmt::format("results        {}\n", printable(out.string(), kShowAll));
+  std::cout << engine_waves_text(summary, out);
   if (reported) std::cout << fmt::format("report         {}\n", printable((out / kReportFile).string(), kShowAll));
   if (given.report && !reported) std::cout << kNoReport;
   const bool shown = given.report && options.wave;
   if (!summary.passed() && !summary.interrupted && !given.serial && !shown) {
-    const NextCommand next = next_command(scenario, summary, out.string(), repeated_options(given));
+    const NextCommand next = summary.engine_waves_written
+                                 ? compare_engines_command(out)
+                                 : next_command(scenario, summary, out.string(), repeated_options(given));
     std::cout << fmt::format("{:<14} {}\n", next.what, next.command);
   }
   if (options.wave && !summary.wave_written) std::cout << no_wave_text(*options.wave);

@@ -82,8 +82,8 @@ class Watch {
         replace_text_file(out_ / kReloadFile, reload_script(digest_, ""));
         report = fmt::format("report         {}\n", printable((out_ / kReportFile).string(), kShowAll));
       }
-      std::cout << with_color(verdict_line(summary)) << printable_lines(failure_reasons(scenario, summary)) << report
-                << std::flush;
+      std::cout << with_color(verdict_line(summary)) << printable_lines(failure_reasons(scenario, summary))
+                << engine_waves_text(summary, out_) << report << std::flush;
     } catch (const InputError& error) {
       for (const Problem& problem : error.problems()) files_.add(problem.file);
       std::cerr << error.what() << '\n';

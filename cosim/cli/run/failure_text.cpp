@@ -1,11 +1,14 @@
 #include "cosim/cli/run/failure_text.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <optional>
 #include <utility>
 
 #include "cosim/fabric/fst_converter.hpp"
 #include "cosim/golden/golden.hpp"
+#include "cosim/run/engine_waves.hpp"
 #include "cosim/text/number_text.hpp"
 #include "cosim/text/printable.hpp"
 #include "cosim/text/shell_text.hpp"
@@ -77,6 +80,18 @@ NextCommand next_command(const Scenario& scenario, const RunSummary& summary, co
                fixed_text(span->to_s, kDigits);
   }
   return {"to see it", std::move(command)};
+}
+
+std::string engine_waves_text(const RunSummary& summary, const std::filesystem::path& folder) {
+  if (!summary.engine_waves_written) return {};
+  return fmt::format("waveforms      {}, {}: both engines around cycle {}\n",
+                     printable((folder / kRtlWaveFile).string(), kShowAll),
+                     printable((folder / kModelWaveFile).string(), kShowAll), summary.engines_differ_at->value());
+}
+
+NextCommand compare_engines_command(const std::filesystem::path& folder) {
+  return {"to see it", fmt::format("armature compare {} {} --views {}", shell_word((folder / kRtlWaveFile).string()),
+                                   shell_word((folder / kModelWaveFile).string()), shell_word(folder.string()))};
 }
 
 }  // namespace armature::cosim

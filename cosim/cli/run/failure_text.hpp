@@ -1,6 +1,7 @@
 // Why a run did not pass, and the command that shows it.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +13,9 @@ namespace armature::cosim {
 
 // The reasons, one in each line; details of a golden follow it. Empty if the run passed and has a golden.
 [[nodiscard]] std::string failure_reasons(const Scenario& scenario, const RunSummary& summary);
+
+// The waveforms that the run wrote into `folder` because its engines differ, one line. Empty if it wrote none.
+[[nodiscard]] std::string engine_waves_text(const RunSummary& summary, const std::filesystem::path& folder);
 
 // A command, and what the user gets by it: `to see it`.
 struct NextCommand {
@@ -25,5 +29,7 @@ struct NextCommand {
 // --set. `out`: the folder for the results.
 [[nodiscard]] NextCommand next_command(const Scenario& scenario, const RunSummary& summary, const std::string& out,
                                        const std::vector<std::string>& options = {});
+// The command that shows where two engines differ, after a run that wrote their waveforms into `folder`.
+[[nodiscard]] NextCommand compare_engines_command(const std::filesystem::path& folder);
 
 }  // namespace armature::cosim

@@ -4,8 +4,10 @@
 #include <system_error>
 
 #include "cosim/cli/options/serial_option.hpp"
+#include "cosim/cli/run/interrupt.hpp"
 #include "cosim/cli/run/scenario_run.hpp"
 #include "cosim/report/format/json/summary_json.hpp"
+#include "cosim/run/engine_waves.hpp"
 #include "cosim/run/run_folder.hpp"
 #include "cosim/text/text_file.hpp"
 
@@ -20,14 +22,17 @@ fs::path default_folder(const Scenario& scenario) {
 void claim_results(OutputFiles& files, const fs::path& out) {
   create_folder(out);
   for (const char* name : kResultFiles) files.writes(out / name, "a result in --out", Writing::kInPlace);
+  for (const char* name : kEngineWaveFiles) files.writes(out / name, "a result in --out", Writing::kInPlace);
 }
 
 RunSummary run_into_folder(Scenario& scenario, const FolderRunOptions& given) {
   const fs::path& out = given.out;
   RunFolder folder{out};
-  // If this run ends early, the folder must not have the summary of an earlier run.
-  std::error_code ignored;
-  if (fs::is_regular_file(fs::symlink_status(out / kSummaryFile, ignored))) fs::remove(out / kSummaryFile);
+  // The folder must not have what an earlier run wrote and this one may not write.
+  for (const char* name : {kSummaryFile, kRtlWaveFile, kModelWaveFile}) {
+    std::error_code ignored;
+    if (fs::is_regular_file(fs::symlink_status(out / name, ignored))) fs::remove(out / name);
+  }
   folder.describe(summary_json(summary_before_run(scenario)));
   ScenarioRunOptions options;
   options.traces = {{out / kTraceFile, scenario.trace.every_ticks}};
@@ -47,6 +52,11 @@ RunSummary run_into_folder(Scenario& scenario, const FolderRunOptions& given) {
   RunSummary summary = run_scenario(scenario, options);
   if (!compared) summary.golden = {GoldenVerdict::kNotCompared, given.why_not_compared, {}};
   if (serial_port) finish_serial(*serial_port, !summary.interrupted);
+  if (summary.engines_differ_at && !serial_port) {
+    const auto stop = [&given] { return interrupted() || (given.stop_requested && given.stop_requested()); };
+    write_engine_waves(scenario, *summary.engines_differ_at, out, {.stop_requested = stop});
+    summary.engine_waves_written = true;
+  }
   replace_text_file(out / kSummaryFile, summary_json(summary));
   folder.finish();
   return summary;

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "cosim/report/format/json/summary_json.hpp"
+#include "cosim/run/engine_waves.hpp"
 #include "cosim/run/run_folder.hpp"
 #include "cosim/text/text_file.hpp"
 
@@ -32,6 +33,7 @@ std::vector<fs::path> result_folders(const std::vector<Scenario>& scenarios, con
 void remove_results(const fs::path& folder) {
   if (!fs::is_directory(folder)) return;
   for (const char* name : kResultFiles) fs::remove(folder / name);
+  for (const char* name : kEngineWaveFiles) fs::remove(folder / name);
   if (fs::is_empty(folder)) fs::remove(folder);
 }
 
