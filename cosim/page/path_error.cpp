@@ -9,6 +9,7 @@
 
 #include "controller/base/angle_units.hpp"
 #include "controller/base/math.hpp"
+#include "controller/base/words.hpp"
 #include "cosim/recording/recorded_path.hpp"
 #include "cosim/report/measure/path_error.hpp"
 #include "cosim/trace/columns.hpp"
@@ -110,7 +111,8 @@ std::optional<PathErrors> path_errors(const RunRecord& run) {
   for (std::size_t row = 0; row < run.trace.rows(); ++row) {
     for (; move != moves.end() && start_of(*move) <= ticks.values[row]; ++move) start(*move, meter);
     while (states.size() > 1 && states[1].first_row <= row) states = states.subspan(1);
-    TraceRow seen{.tick = ticks.values[row]};
+    TraceRow seen;
+    seen.tick = ticks.values[row];
     for (std::size_t i = 0; i < set_points.size(); ++i)
       seen.telemetry.reference[i] = Radians{set_points[i]->number(row)};
     if (!states.empty() && states[0].state == word_of(MotionState::kFault)) seen.telemetry.state = MotionState::kFault;

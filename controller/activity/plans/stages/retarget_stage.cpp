@@ -1,5 +1,7 @@
 #include "controller/activity/plans/stages/retarget_stage.hpp"
 
+#include "controller/activity/plans/retarget_request.hpp"
+
 namespace armature {
 
 std::optional<MoveRefused> RetargetStage::accept(const JointMove& move) noexcept {
