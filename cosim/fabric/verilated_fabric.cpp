@@ -150,7 +150,13 @@ class VerilatedFabric final : public Fabric {
     vcd_.dump(static_cast<std::uint64_t>(cycle_) * kCycleNs + after_the_edge_ns);
   }
 
-  VerilatedContext context_;
+  // The model uses one thread. Without this the context starts one for each processor, and the process could not be
+  // copied (cosim/snapshot). It must be said before the model exists.
+  struct Context : VerilatedContext {
+    Context() { threads(1); }
+  };
+
+  Context context_;
   Model model_{&context_, ""};
   WaveFile file_;
   SoftwareTrace software_{"software"};  // below the scope of the model, `top`
