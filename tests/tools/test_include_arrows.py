@@ -129,9 +129,10 @@ COSIM = {
         "scenario",
     },
     "run": {"time", "text", "net", "soc", "serial", "trace", "scenario", "golden", "report", "kernel"},
+    "snapshot": {"net"},
     "serve": {"text", "net", "logic", "soc"},
 }
-COSIM["cli"] = COSIM.keys() - {"keydoc", "kernel", "bus", "cpu", "plant", "fault", "check", "model"}
+COSIM["cli"] = COSIM.keys() - {"keydoc", "kernel", "bus", "cpu", "plant", "fault", "check", "model", "snapshot"}
 # The rooms of cosim/report: what is measured, the list of facts, what [expect] says about them, how they are written.
 REPORT = {
     "measure": set(),
