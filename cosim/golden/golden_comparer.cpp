@@ -49,6 +49,12 @@ void GoldenComparer::add(const TraceRow& row, const IntegerDigest& digest) {
   }
 }
 
+std::optional<TimeSpan> GoldenComparer::difference() const {
+  if (!comparer_) return std::nullopt;
+  const Comparison& so_far = comparer_->so_far();
+  return so_far.first || so_far.digest ? begins(so_far) : std::nullopt;
+}
+
 GoldenCheck GoldenComparer::finish(const std::string& sha256) {
   const auto differs = [](std::string text) { return GoldenCheck{GoldenVerdict::kDiffers, std::move(text), {}}; };
   if (comparer_) {

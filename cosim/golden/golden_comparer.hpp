@@ -26,6 +26,9 @@ class GoldenComparer {
   // Adds a row. Call it for every row of the run. `digest` includes this row and all rows before it.
   void add(const TraceRow& row, const IntegerDigest& digest);
 
+  // When the difference begins; none: all rows so far are equal. It stays as it is once it is known.
+  [[nodiscard]] std::optional<TimeSpan> difference() const;
+
   // Call it once, after the last row of a run that reached its end. `sha256` is the digest of all rows.
   [[nodiscard]] GoldenCheck finish(const std::string& sha256);
 

@@ -120,6 +120,10 @@ void Simulation::compute_edges() {
   if (ticks_.leave(now())) drive_inputs();
 }
 
+void Simulation::write_wave(WaveRequest wave) {
+  wave_ = WaveWindow{std::move(wave)};
+}
+
 void Simulation::interrupt() {
   if (over_) return;
   over_ = true;
@@ -187,10 +191,6 @@ void Simulation::deliver_due_events() {
   read_host_memory();
   feed_program();
   if (soc_->idle()) grant_bus();
-  if (std::exchange(fault_detected_, false)) {
-    compute_edges();
-    wave_.fault(now(), *soc_);
-  }
 }
 
 void Simulation::advance_serial() {
@@ -261,7 +261,6 @@ void Simulation::grant_bus() {
 // cycle.
 void Simulation::read_host_memory() {
   while (const std::optional<Event> event = host_.next_event()) {
-    if (std::holds_alternative<Faulted>(*event)) fault_detected_ = true;
     const auto* refused = std::get_if<MoveRefused>(&*event);
     if (const auto index = refused == nullptr ? std::nullopt : move_index(refused->tag)) program_.on_refused(*index);
     listener_.on_event(*event, now());

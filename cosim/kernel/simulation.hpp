@@ -73,6 +73,10 @@ class Simulation final : private RunAhead {
   // itself happens in the next call: nothing depends on how a run is cut into calls. Returns false when the run is
   // over. Throws std::runtime_error when a waveform cannot be written.
   bool advance(Cycles until);
+  // Replaces the waveform of the constructor, while it is not open. `wave.from` is not before now().
+  void write_wave(WaveRequest wave);
+  // Completes the file of the waveform if it is open. Throws std::runtime_error when it cannot be written.
+  void close_wave() { soc_->close_wave(); }
   // Ends a run that is not over.
   void interrupt();
   [[nodiscard]] Cycles now() const { return soc_->now(); }
@@ -150,9 +154,8 @@ class Simulation final : private RunAhead {
   bool trigger_was_high_ = false;
   std::uint8_t servo_on_ = 0;  // as reported
   bool servo_was_on_ = false;
-  bool fault_detected_ = false;  // by the controller, in this cycle
-  Cycles longest_;               // duration of the scenario
-  Cycles until_{};               // of advance()
+  Cycles longest_;  // duration of the scenario
+  Cycles until_{};  // of advance()
   bool over_ = false;
   Telemetry telemetry_;
   std::int64_t triggers_ = 0;

@@ -8,7 +8,7 @@ namespace armature::cosim {
 
 Cycles Simulation::horizon() const {
   const bool program_has_room = program_.busy() && host_.has_room(Source::kProgram);
-  if (!ticks_.is_whole() || wave_.is_open() || over_ || fault_detected_ || program_has_room || !soc_->idle() ||
+  if (!ticks_.is_whole() || wave_.is_open() || over_ || program_has_room || !soc_->idle() ||
       processor_->next_access()) {
     return now();
   }

@@ -27,7 +27,6 @@ void Simulation::act(const ScriptAction& action) {
                  },
                  [this](const FaultSpec& fault) {
                    compute_edges();
-                   wave_.fault(now(), *soc_);
                    injector_.begin(fault.kind);
                    conservation_.on_clock(now(), injector_.clock_runs());
                    drive_inputs();

@@ -2,14 +2,7 @@
 
 #include <utility>
 
-#include "cosim/time/clock.hpp"
-
 namespace armature::cosim {
-namespace {
-
-constexpr Cycles kAfterFault{kClkFreqHz / 1000};  // 1 ms
-
-}  // namespace
 
 WaveWindow::WaveWindow(std::optional<WaveRequest> request) {
   if (!request) return;
@@ -18,7 +11,7 @@ WaveWindow::WaveWindow(std::optional<WaveRequest> request) {
 }
 
 std::optional<Cycles> WaveWindow::next_event() const {
-  if (state_ == State::kWaiting && !request_.on_fault) return request_.from.value_or(Cycles{0});
+  if (state_ == State::kWaiting) return request_.from.value_or(Cycles{0});
   if (state_ == State::kOpen) return request_.to;
   return std::nullopt;
 }
@@ -26,24 +19,13 @@ std::optional<Cycles> WaveWindow::next_event() const {
 void WaveWindow::advance(Cycles now, Soc& soc) {
   if (next_event() > now || !next_event()) return;
   if (state_ == State::kWaiting) {
-    open(now, soc);
+    soc.open_wave(request_.file, request_.format);
+    state_ = State::kOpen;
+    was_open_ = true;
   } else {
     soc.close_wave();
     state_ = State::kDone;
   }
-}
-
-void WaveWindow::fault(Cycles now, Soc& soc) {
-  if (state_ != State::kWaiting || !request_.on_fault || now < request_.from.value_or(Cycles{0})) return;
-  if (!request_.to) request_.to = now + kAfterFault;
-  open(now, soc);
-}
-
-void WaveWindow::open(Cycles now, Soc& soc) {
-  soc.open_wave(request_.file, request_.format);
-  state_ = State::kOpen;
-  was_open_ = true;
-  if (request_.to && *request_.to <= now) advance(now, soc);
 }
 
 }  // namespace armature::cosim

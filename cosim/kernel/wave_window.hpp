@@ -1,4 +1,4 @@
-// Opens and closes the waveform file: for a window of simulated time, or for a time from the first fault on.
+// Opens and closes the waveform file for a window of simulated time.
 #pragma once
 
 #include <filesystem>
@@ -13,8 +13,7 @@ struct WaveRequest {
   std::filesystem::path file;
   WaveFormat format = WaveFormat::kVcd;
   std::optional<Cycles> from;  // default: cycle 0
-  std::optional<Cycles> to;    // default: the end of the run; with on_fault 1 ms after the fault
-  bool on_fault = false;       // wait for the first fault at or after `from`
+  std::optional<Cycles> to;    // default: the end of the run
 };
 
 class WaveWindow {
@@ -31,13 +30,8 @@ class WaveWindow {
   // Whether the file was ever opened.
   [[nodiscard]] bool was_open() const { return was_open_; }
 
-  // A fault has happened, scripted or detected.
-  void fault(Cycles now, Soc& soc);
-
  private:
   enum class State { kDone, kWaiting, kOpen };
-
-  void open(Cycles now, Soc& soc);
 
   WaveRequest request_;
   State state_ = State::kDone;

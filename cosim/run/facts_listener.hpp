@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "cosim/report/measure/run_facts.hpp"
 #include "cosim/report/measure/tool_point.hpp"
@@ -21,6 +22,7 @@ class FactsListener final : public RunListener {
 
   // Of the run so far.
   [[nodiscard]] RunFacts facts() const { return facts_.facts(); }
+  [[nodiscard]] const std::vector<FaultEvent>& faults() const { return facts_.faults(); }
 
  private:
   RunFactsCollector facts_;

@@ -1,6 +1,8 @@
 // Compares a run with the golden of its scenario. Without this listener the summary does not mention the golden.
 #pragma once
 
+#include <optional>
+
 #include "cosim/golden/golden_comparer.hpp"
 #include "cosim/report/measure/tool_point.hpp"
 #include "cosim/run/run_listener.hpp"
@@ -16,6 +18,9 @@ class GoldenListener final : public RunListener {
       : comparer_{scenario, tool_columns(scenario), trace} {}
 
   void on_row(const TraceRow& row, const IntegerDigest& digest) override { comparer_.add(row, digest); }
+
+  // As of GoldenComparer.
+  [[nodiscard]] std::optional<TimeSpan> difference() const { return comparer_.difference(); }
 
   // Only a run that has reached its end can equal the golden.
   void judge(RunSummary& summary) override {

@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "controller/base/units.hpp"
@@ -47,6 +48,14 @@ class Run final : private SimulationListener {
   // Ends a run that is not over. Such a run is not judged.
   void interrupt() { simulation_.interrupt(); }
   [[nodiscard]] Cycles now() const { return simulation_.now(); }
+
+  // ---- between two steps
+  // What is measured so far. Its counts of cycles and accesses are those of the end only.
+  [[nodiscard]] RunFacts facts() const { return facts_.facts(); }
+  [[nodiscard]] const std::vector<FaultEvent>& faults() const { return facts_.faults(); }
+  // As of Simulation.
+  void write_wave(WaveRequest wave) { simulation_.write_wave(std::move(wave)); }
+  void close_wave() { simulation_.close_wave(); }
 
   // Call it once. A run that is not over ends as interrupted. The summary has no wall time.
   RunSummary finish();

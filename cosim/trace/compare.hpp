@@ -116,6 +116,8 @@ class TraceComparer {
   [[nodiscard]] bool is_next(std::int64_t tick) const { return more_a_ && a_->row().tick() == tick; }
   // Adds the next row of trace b, in the order of ticks.
   void add(const CsvRow& b);
+  // Without what only finish() knows: rows that are left in trace a.
+  [[nodiscard]] const Comparison& so_far() const { return result_; }
   // Call it once, after the last row of b.
   [[nodiscard]] Comparison finish();
 

@@ -132,6 +132,7 @@ COSIM = {
     "snapshot": {"net"},
     "serve": {"text", "net", "logic", "soc"},
 }
+COSIM["rewind"] = COSIM["run"] | {"run", "logic", "snapshot"}
 COSIM["cli"] = COSIM.keys() - {"keydoc", "kernel", "bus", "cpu", "plant", "fault", "check", "model", "snapshot"}
 # The rooms of cosim/report: what is measured, the list of facts, what [expect] says about them, how they are written.
 REPORT = {

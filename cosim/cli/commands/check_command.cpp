@@ -20,11 +20,13 @@
 #include "cosim/cli/options/output_files.hpp"
 #include "cosim/cli/options/output_options.hpp"
 #include "cosim/cli/options/value_kinds.hpp"
+#include "cosim/cli/options/wave_options.hpp"
 #include "cosim/cli/run/check_progress.hpp"
 #include "cosim/cli/run/failure_text.hpp"
 #include "cosim/cli/run/folder_run.hpp"
 #include "cosim/cli/run/interrupt.hpp"
 #include "cosim/cli/run/kept_results.hpp"
+#include "cosim/cli/run/moment_wave.hpp"
 #include "cosim/cli/run/report_file.hpp"
 #include "cosim/cli/run/scenario_run.hpp"
 #include "cosim/cli/run/temporary_folder.hpp"
@@ -49,12 +51,16 @@ constexpr const char* kCheckDetails = R"(Examples:
   armature check --junit results.xml
   armature check fig9_joint_move --report-dir reports
   armature check fig9_joint_move --engine both
+  armature check fig9_joint_move --wave-on fail --before 2
 
 Without names it checks the scenarios of all your folders that 'armature list' shows. If they have none, it checks those
 of the program. It prints one line with the verdict for each scenario. For a failed scenario it prints the reason and a
 command that shows it, and keeps trace.csv, log.txt and summary.json in --out/<scenario>. It removes
 the results of an earlier check. --report-dir writes index.html, with a row for each scenario and a link to the report
 of each failure. The JUnit file names these reports in the property 'report'.
+--wave-on keeps a waveform of each failed scenario beside its results, of the moment that 'armature run --help' explains:
+failure.fst, or failure.vcd without the program vcd2fst. The scenario is run again up to this moment, on the RTL if the
+engine was the model. What passes takes no more time.
 Exit code: 0 all passed, 1 one failed, 2 bad input, 3 internal error, 130 interrupted.)";
 
 struct CheckOptions {
@@ -64,6 +70,7 @@ struct CheckOptions {
   std::optional<std::filesystem::path> junit;
   std::optional<std::filesystem::path> report_dir;
   std::vector<Engine> engines;  // with each of them; empty: with that of the scenario
+  WaveOptions wave;             // of failed scenarios: --wave-on and --before only
   OutputOptions output;
 };
 
@@ -73,20 +80,30 @@ bool has_passed(const JunitCase& result) {
   return result.failure.empty() && result.error.empty();
 }
 
-// Where the results of a failure stay.
+// What stays of a failure, and where.
 struct FailureFiles {
   std::filesystem::path kept;                   // folder
   std::optional<std::filesystem::path> report;  // page
+  std::optional<MomentWave> wave;               // in the folder
 };
+
+std::string wave_of_failure(const Scenario& scenario, const RunSummary& summary, const FailureFiles& files) {
+  if (!files.wave || summary.passed()) return {};
+  const WaveFormat format = preferred_format();
+  const MomentWaveNote note = write_moment_wave(
+      {*files.wave, {.file = failure_wave(files.kept, format), .format = format}}, {scenario, summary, interrupted});
+  return fmt::format("{}: {}\n", note.label(), note.text);
+}
 
 // Runs and judges one scenario. Returns nothing if the run was interrupted. `options`: what the user adds to repeat it.
 std::optional<JunitCase> run_and_judge(const Scenario& scenario, const FailureFiles& files,
                                        const std::vector<std::string>& options = {}) {
-  const auto& [kept, report] = files;
+  const auto& [kept, report, wave] = files;
   JunitCase result;
   result.name = scenario.name;
   try {
-    remove_results(kept);  // of an earlier check
+    remove_failure_waves(kept);  // of an earlier check, and its other results
+    remove_results(kept);
     const TemporaryFolder folder;
     ScenarioRunOptions run;
     run.traces = {{folder.path() / kTraceFile, scenario.trace.every_ticks}};
@@ -111,6 +128,7 @@ std::optional<JunitCase> run_and_judge(const Scenario& scenario, const FailureFi
                                    : next_command(scenario, summary, default_folder(scenario).string(), options);
       result.failure +=
           fmt::format("results: {}\n{}: {}\n", printable(kept.string(), kShowAll), next.what, next.command);
+      result.failure += wave_of_failure(scenario, summary, files);
       if (report && can_be_shown(summary)) {
         write_report(kept, *report);
         result.report = report->string();
@@ -223,6 +241,7 @@ std::vector<std::optional<std::filesystem::path>> report_files(const CheckOption
 std::vector<JunitCase> check_all(const CheckOptions& given, const std::vector<Scenario>& scenarios) {
   const std::vector<std::filesystem::path> kept = result_folders(scenarios, given.out);
   const std::vector<std::optional<std::filesystem::path>> reports = report_files(given, kept);
+  const std::optional<MomentWave> wave = moment_wave(given.wave);
   catch_interrupts();
   std::vector<std::optional<JunitCase>> results(scenarios.size());
   std::atomic<std::size_t> next{0};
@@ -234,7 +253,7 @@ std::vector<JunitCase> check_all(const CheckOptions& given, const std::vector<Sc
         const std::scoped_lock lock{printing};
         progress.begin(scenarios[i].name);
       }
-      results[i] = check_scenario(scenarios[i], given.engines, {.kept = kept[i], .report = reports[i]});
+      results[i] = check_scenario(scenarios[i], given.engines, {.kept = kept[i], .report = reports[i], .wave = wave});
       if (!results[i]) return;
       const std::scoped_lock lock{printing};
       progress.clear();
@@ -298,8 +317,10 @@ CommandAction declare_check(CLI::App& app) {
                  "Write index.html to this folder, and the report of each failed scenario")
       ->type_name(kFolderValue);
   add_engines_option(app, options->engines);
+  add_moment_options(app, options->wave);
   add_quiet_option(app, options->output);
   add_json_option(app, options->output);
+  app.callback([options] { check_wave_options(options->wave, false); });
   return [options](const CommonOptions& common) { return check_scenarios(*options, common.search_path()); };
 }
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "cosim/cli/command/command.hpp"
@@ -19,9 +20,11 @@
 #include "cosim/cli/run/folder_run.hpp"
 #include "cosim/cli/run/interrupt.hpp"
 #include "cosim/cli/run/report_file.hpp"
+#include "cosim/golden/golden.hpp"
 #include "cosim/report/format/json/summary_json.hpp"
 #include "cosim/report/format/summary_text.hpp"
 #include "cosim/scenario/files/scenario_loader.hpp"
+#include "cosim/text/input_error.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/text/printable.hpp"
 
@@ -34,7 +37,8 @@ constexpr const char* kRunDetails = R"(Examples:
   armature run scenarios/fig9_joint_move
   armature run draw_line --report
   armature run fig9_joint_move --vcd fig9.vcd --from 0.1 --to 0.1002
-  armature run late_core --fst late.fst --wave-on fault
+  armature run estop_and_clear --wave-on fault   # writes out/estop_and_clear/failure.fst
+  armature run late_core --vcd late.vcd --wave-on fault --before 1
   armature run fig9_joint_move --serial pty:/tmp/arm --pace 1
   armature run pulse_loss_recovered --set controller.feedback=false --out out/open_loop   # exits with 1
   armature run fig9_joint_move --variant paper --out out/paper   # exits with 1: its decoder sees one axis
@@ -44,6 +48,12 @@ The run writes trace.csv, summary.json and log.txt to --out, and serial.csv if t
 first. If the run fails, a command is printed that shows it. --json prints summary.json. scenarios/RESULTS.md describes
 these files. Only one run at a time can write into a folder. During the run, and after it was killed, the folder has a
 file 'unfinished'; 'armature report' and 'armature plot' show what there is.
+--wave-on goes back when a moment has passed: its waveform lasts from --before ms before the moment to 1 ms after it, or
+to --to. Without --vcd and --fst it is failure.fst in --out, or failure.vcd without the program vcd2fst. 'fault' is the
+first fault that the controller reports; 'fail' the failure that ends the run, or the first expectation that fails;
+'mismatch' the time from the last row of the golden that is equal to the first one that differs. With --from and --to
+only the moments between them count. Going back needs no second run, except with --engine model, whose moment is run
+again on the RTL because only the RTL has all signals, and with a program at --serial, which is replayed.
 If a result or the file of --vcd is a device, a pipe or a link, the run writes into it. The file of --fst must be a
 regular file. No output may be a file that the run reads.
 GTKWave shows a waveform with the view tools/arm_soc.gtkw, or arm_soc_paper.gtkw of --variant paper: gtkwave fig9.vcd
@@ -78,6 +88,17 @@ std::string why_not_comparable(const RunOptions& options) {
   return {};
 }
 
+// `--wave-on mismatch` waits for a difference.
+void require_golden(const Scenario& scenario, const std::string& why_not_compared) {
+  if (!why_not_compared.empty()) {
+    throw InputError{"--wave-on", "mismatch needs a run that is compared with its golden: " + why_not_compared};
+  }
+  std::error_code ignored;
+  const fs::path golden = golden_file(scenario);
+  if (fs::exists(golden, ignored)) return;
+  throw InputError{"--wave-on", "mismatch needs a golden: there is no " + printable(golden.string(), kShowAll)};
+}
+
 // The options that a command must have to show this run again.
 std::vector<std::string> repeated_options(const RunOptions& given) {
   std::vector<std::string> words;
@@ -109,6 +130,8 @@ int run(const RunOptions& given, const SearchPath& path) {
   options.pace = given.pace;
   options.show_progress = !given.output.quiet;
   options.why_not_compared = why_not_comparable(given);
+  if (given.wave.wave_on == WaveReason::kMismatch) require_golden(scenario, options.why_not_compared);
+  options.moment_wave = moment_wave_request(given.wave, scenario.duration_s, out, files);
   catch_interrupts();  // from now on there are files to complete
   const RunSummary summary = run_into_folder(scenario, options);
   const bool reported = given.report && can_be_shown(summary);
@@ -123,7 +146,8 @@ int run(const RunOptions& given, const SearchPath& path) {
   std::cout << engine_waves_text(summary, out);
   if (reported) std::cout << fmt::format("report         {}\n", printable((out / kReportFile).string(), kShowAll));
   if (given.report && !reported) std::cout << kNoReport;
-  const bool shown = given.report && options.wave;
+  std::cout << summary.wave_note;
+  const bool shown = given.report && (options.wave || options.moment_wave);
   if (!summary.passed() && !summary.interrupted && !given.serial && !shown) {
     const NextCommand next = summary.engine_waves_written
                                  ? compare_engines_command(out)

@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "cosim/fabric/fst_converter.hpp"
+#include "cosim/cli/options/wave_options.hpp"
 #include "cosim/golden/golden.hpp"
 #include "cosim/run/engine_waves.hpp"
 #include "cosim/text/number_text.hpp"
@@ -49,9 +49,8 @@ std::optional<TimeSpan> failure_span(const RunSummary& summary) {
 
 // A VCD file grows by about 20 MB in a millisecond.
 std::string wave_option(const TimeSpan& span, const std::string& out) {
-  if (span.to_s - span.from_s > kLongestVcdS && fst_converter_available())
-    return " --fst " + shell_word(out + "/failure.fst");
-  return " --vcd " + shell_word(out + "/failure.vcd");
+  const WaveFormat format = span.to_s - span.from_s > kLongestVcdS ? preferred_format() : WaveFormat::kVcd;
+  return (format == WaveFormat::kVcd ? " --vcd " : " --fst ") + shell_word(failure_wave(out, format).string());
 }
 
 }  // namespace

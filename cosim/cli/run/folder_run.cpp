@@ -38,6 +38,7 @@ RunSummary run_into_folder(Scenario& scenario, const FolderRunOptions& given) {
   options.traces = {{out / kTraceFile, scenario.trace.every_ticks}};
   options.load = {out / kLoadFile, scenario.trace.every_ticks};
   options.wave = given.wave;
+  options.moment_wave = given.moment_wave;
   options.log = out / kLogFile;
   options.show_progress = given.show_progress;
   options.stop_requested = given.stop_requested;

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "cosim/cli/options/output_files.hpp"
+#include "cosim/cli/run/moment_wave.hpp"
 #include "cosim/report/judge/run_summary.hpp"
 #include "cosim/run/run.hpp"
 #include "cosim/scenario/scenario.hpp"
@@ -16,6 +17,7 @@ namespace armature::cosim {
 struct FolderRunOptions {
   std::filesystem::path out;
   std::optional<WaveRequest> wave{};
+  std::optional<MomentWaveRequest> moment_wave{};
   std::optional<std::string> serial{};     // as in connect_serial()
   std::optional<double> pace{};            // as in ScenarioRunOptions
   bool show_progress = true;               // on stderr, if that is a terminal

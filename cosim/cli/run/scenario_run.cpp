@@ -1,10 +1,13 @@
 #include "cosim/cli/run/scenario_run.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <iostream>
 #include <memory>
 #include <thread>
+#include <utility>
 
 #include "controller/base/timebase.hpp"
 #include "cosim/cli/run/interrupt.hpp"
@@ -21,20 +24,28 @@
 namespace armature::cosim {
 namespace {
 
-using Listeners = std::vector<std::unique_ptr<RunListener>>;
+struct Listeners {
+  std::vector<std::unique_ptr<RunListener>> all;
+  const GoldenListener* golden = nullptr;  // one of them
+};
 
 Listeners listeners_for(const Scenario& scenario, const ScenarioRunOptions& options) {
-  Listeners all;
+  Listeners listeners;
+  auto& all = listeners.all;
   // The first one, so that its lines are complete when another file cannot be written.
   if (options.log) all.push_back(std::make_unique<LogListener>(scenario, *options.log));
   for (const TraceFile& trace : options.traces) all.push_back(std::make_unique<TraceListener>(scenario, trace));
   if (options.load) all.push_back(std::make_unique<LoadListener>(*options.load));
-  if (options.compare_golden) all.push_back(std::make_unique<GoldenListener>(scenario, *options.compare_golden));
+  if (options.compare_golden) {
+    auto golden = std::make_unique<GoldenListener>(scenario, *options.compare_golden);
+    listeners.golden = golden.get();
+    all.push_back(std::move(golden));
+  }
   if (scenario.serial && options.serial_log) all.push_back(std::make_unique<SerialListener>(*options.serial_log));
   if (options.show_progress && stderr_is_terminal()) {
     all.push_back(std::make_unique<ProgressListener>(scenario, std::cerr));
   }
-  return all;
+  return listeners;
 }
 
 // Waits until the simulation may pass `simulated_s`, or until an interrupt.
@@ -51,6 +62,11 @@ void keep_pace(Pace& pace, double simulated_s) {
 // written or the controller plans.
 constexpr Cycles kSlice = armature::kTickCycles;
 
+// Whether snapshots of the run can write its waveforms: the engine has the signals, and nobody outside talks to it.
+bool can_show_again(const Scenario& scenario, const ScenarioRunOptions& options) {
+  return scenario.engine != Engine::kModel && options.serial_peer == nullptr;
+}
+
 }  // namespace
 
 RunSummary run_scenario(const Scenario& scenario, const ScenarioRunOptions& options) {
@@ -58,14 +74,29 @@ RunSummary run_scenario(const Scenario& scenario, const ScenarioRunOptions& opti
   const Listeners listeners = listeners_for(scenario, options);
   std::optional<Pace> pace;
   if (options.pace) pace.emplace(*options.pace, Pace::Clock::now());
+  const auto stop_requested = [&] { return interrupted() || (options.stop_requested && options.stop_requested()); };
   Run run{scenario, {.wave = options.wave, .serial_peer = options.serial_peer}};
-  for (const auto& listener : listeners) run.add(*listener);
+  for (const auto& listener : listeners.all) run.add(*listener);
+  std::optional<WaveSnapshots> snapshots;
+  if (options.moment_wave && can_show_again(scenario, options)) {
+    snapshots.emplace(WaveSnapshots::Parts{scenario, run, listeners.golden, stop_requested}, *options.moment_wave);
+  }
   do {
-    if (interrupted() || (options.stop_requested && options.stop_requested())) run.interrupt();
+    if (stop_requested()) run.interrupt();
     if (pace) keep_pace(*pace, to_seconds(run.now()));
+    if (snapshots) snapshots->after_step();
   } while (run.advance(run.now() + kSlice));
   RunSummary summary = run.finish();
   summary.host.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (options.moment_wave) {
+    EndedRun ended{scenario, summary, stop_requested};
+    ended.snapshots = snapshots ? &*snapshots : nullptr;
+    if (options.serial_peer != nullptr) ended.heard = options.serial_log;
+    ended.show_progress = options.show_progress;
+    const MomentWaveNote note = write_moment_wave(*options.moment_wave, ended);
+    summary.wave_written = note.written;
+    summary.wave_note = fmt::format("{:<14} {}\n", note.label(), note.text);
+  }
   return summary;
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "cosim/cli/run/moment_wave.hpp"
 #include "cosim/report/judge/run_summary.hpp"
 #include "cosim/run/run.hpp"
 #include "cosim/scenario/scenario.hpp"
@@ -18,6 +19,7 @@ struct ScenarioRunOptions {
   std::vector<TraceFile> traces;    // to write
   std::optional<TraceFile> load{};  // what the cores did
   std::optional<WaveRequest> wave;
+  std::optional<MomentWaveRequest> moment_wave{};
   std::optional<std::filesystem::path> log;         // events as text, one a line
   std::optional<std::filesystem::path> serial_log;  // of a scenario with a serial line
   SerialPeer* serial_peer = nullptr;

@@ -55,6 +55,7 @@ FactWhere at_faults(const RunFacts& facts) {
     add(where.text, fmt::format("{}{}, {}", word_of(fault.cause),
                                 axis == 0 ? std::string{} : fmt::format(" of axis {}", axis), seconds(fault.where.at)));
     if (axis != 0) where.axes.push_back(axis);
+    if (!where.at) where.at = fault.where;
   }
   return where;
 }

@@ -42,6 +42,7 @@ struct RunSummary {
   std::string program_end;                   // an end of the program that ended the run early; empty: none did
   bool engine_waves_written = false;         // the waveforms of both engines around engines_differ_at
   bool wave_written = false;                 // a waveform was requested and its window has begun
+  std::string wave_note;                     // a line for the screen about the waveform of --wave-on; may be empty
   std::size_t serial_unsent = 0;             // characters and breaks that still waited for the controller at the end
   std::vector<ExpectResult> expect_results;  // of the keys that the scenario states
   std::vector<ExpectFailure> expect_failures;

@@ -167,6 +167,8 @@ class RunFactsCollector {
 
   // The facts of all rows so far.
   [[nodiscard]] RunFacts facts() const;
+  // Of them; it costs no copy.
+  [[nodiscard]] const std::vector<FaultEvent>& faults() const { return facts_.faults; }
 
  private:
   struct Axis {

@@ -25,7 +25,7 @@ TEST(WaveWindow, WithoutARequestDoesNothing) {
   WaveWindow window{std::nullopt};
   EXPECT_FALSE(window.next_event());
   window.advance(Cycles{0}, chip.soc);
-  window.fault(Cycles{5}, chip.soc);
+  window.advance(Cycles{5}, chip.soc);
   EXPECT_TRUE(chip.log.empty());
 }
 
@@ -49,20 +49,6 @@ TEST(WaveWindow, WithoutLimitsCoversTheWholeRun) {
   window.advance(Cycles{0}, chip.soc);
   EXPECT_FALSE(window.next_event());
   EXPECT_EQ(chip.log, (Log{"open a.vcd"}));
-}
-
-TEST(WaveWindow, OnFaultOpensOnceAtTheFirstFaultForOneMillisecond) {
-  FakeChip chip;
-  WaveWindow window{WaveRequest{.file = "a.fst", .format = {}, .from = Cycles{50}, .to = {}, .on_fault = true}};
-  EXPECT_FALSE(window.next_event());
-  window.fault(Cycles{49}, chip.soc);  // before the window
-  EXPECT_TRUE(chip.log.empty());
-  window.fault(Cycles{60}, chip.soc);
-  window.fault(Cycles{61}, chip.soc);
-  EXPECT_EQ(window.next_event(), Cycles{60 + 50'000});
-  window.advance(Cycles{60 + 50'000}, chip.soc);
-  window.fault(Cycles{90'000}, chip.soc);
-  EXPECT_EQ(chip.log, (Log{"open a.fst", "close"}));
 }
 
 }  // namespace
