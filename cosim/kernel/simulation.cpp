@@ -203,11 +203,15 @@ void Simulation::advance_serial() {
 }
 
 void Simulation::drive_inputs() {
+  soc_->set_inputs(inputs());
+}
+
+SocInputs Simulation::inputs() const {
   SocInputs inputs = plant_.inputs();
   if (serial_) inputs.uart_rxd = serial_->rxd();
   inputs.gpio = tool_inputs_;
   injector_.apply_to(inputs);
-  soc_->set_inputs(inputs);
+  return inputs;
 }
 
 void Simulation::finish_access(const BusResponse& response) {

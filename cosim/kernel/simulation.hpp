@@ -24,6 +24,7 @@
 #include "cosim/kernel/program_watch.hpp"
 #include "cosim/kernel/script.hpp"
 #include "cosim/kernel/signal.hpp"
+#include "cosim/kernel/simulation_state.hpp"
 #include "cosim/kernel/software_watch.hpp"
 #include "cosim/kernel/wave_window.hpp"
 #include "cosim/kernel/whole_ticks.hpp"
@@ -73,6 +74,9 @@ class Simulation final : private RunAhead {
   // itself happens in the next call: nothing depends on how a run is cut into calls. Returns false when the run is
   // over. Throws std::runtime_error when a waveform cannot be written.
   bool advance(Cycles until);
+  // What is seen of the run at now(). Drives, motors and encoders have done what is due in this cycle; all else that is
+  // due happens in the next advance().
+  [[nodiscard]] SimulationState look();
   // Replaces the waveform of the constructor, while it is not open. `wave.from` is not before now().
   void write_wave(WaveRequest wave);
   // Completes the file of the waveform if it is open. Throws std::runtime_error when it cannot be written.
@@ -104,6 +108,7 @@ class Simulation final : private RunAhead {
   void deliver_due_events();
   void advance_serial();
   void drive_inputs();
+  [[nodiscard]] SocInputs inputs() const;
   void act(const ScriptAction& action);
   void finish_access(const BusResponse& response);
   Processor::Access take_access();

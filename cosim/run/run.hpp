@@ -53,6 +53,7 @@ class Run final : private SimulationListener {
   // What is measured so far. Its counts of cycles and accesses are those of the end only.
   [[nodiscard]] RunFacts facts() const { return facts_.facts(); }
   [[nodiscard]] const std::vector<FaultEvent>& faults() const { return facts_.faults(); }
+  [[nodiscard]] SimulationState look() { return simulation_.look(); }
   // As of Simulation.
   void write_wave(WaveRequest wave) { simulation_.write_wave(std::move(wave)); }
   void close_wave() { simulation_.close_wave(); }

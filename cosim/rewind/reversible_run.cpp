@@ -1,0 +1,61 @@
+#include "cosim/rewind/reversible_run.hpp"
+
+#include <limits>
+#include <stdexcept>
+
+#include "cosim/rewind/run_server.hpp"
+#include "cosim/snapshot/copied_process.hpp"
+
+namespace armature::cosim {
+namespace {
+
+constexpr Cycles kEnd{std::numeric_limits<std::int64_t>::max()};
+
+}  // namespace
+
+ReversibleRun::ReversibleRun(const Scenario& scenario, const std::vector<StopCondition*>& conditions) {
+  auto [ours, of_run] = MessageChannel::pair();
+  process_ = copy_this_process(of_run.descriptor());
+  if (process_ == 0) serve_run(scenario, conditions, of_run);
+  channel_ = std::move(ours);
+  of_run.close();
+  go_to(Cycles{0});
+}
+
+ReversibleRun::~ReversibleRun() {
+  channel_.close();
+  wait_for_end(process_);
+}
+
+const RunState& ReversibleRun::go_to(Cycles cycle) {
+  return state_ = ask({.kind = RunRequest::Kind::kGoTo, .to = cycle}).state;
+}
+
+bool ReversibleRun::go_to_tick(std::int64_t tick) {
+  return go_behind(ask({.kind = RunRequest::Kind::kFindTick, .to = kEnd, .what = tick}));
+}
+
+bool ReversibleRun::advance_to(std::size_t condition, Cycles limit) {
+  return go_behind(
+      ask({.kind = RunRequest::Kind::kFindCondition, .to = limit, .what = static_cast<std::int64_t>(condition)}));
+}
+
+// The search stops some cycles behind what it finds.
+bool ReversibleRun::go_behind(const RunAnswer& answer) {
+  if (answer.found) {
+    go_to(*answer.found + Cycles{1});
+  } else {
+    state_ = answer.state;
+  }
+  return answer.found.has_value();
+}
+
+RunAnswer ReversibleRun::ask(const RunRequest& request) {
+  std::optional<RunAnswer> answer;
+  if (channel_.send(request)) answer = channel_.receive<RunAnswer>();
+  if (!answer) throw std::runtime_error{"the process of the run has ended"};
+  if (answer->error[0] != '\0') throw std::runtime_error{answer->error.data()};
+  return *answer;
+}
+
+}  // namespace armature::cosim

@@ -1,0 +1,156 @@
+#include "cosim/rewind/run_server.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <cstdlib>
+#include <exception>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+
+#include "controller/base/timebase.hpp"
+#include "cosim/rewind/run_digest.hpp"
+#include "cosim/rewind/run_messages.hpp"
+#include "cosim/run/run.hpp"
+#include "cosim/snapshot/return_points.hpp"
+
+namespace armature::cosim {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Host time between two points. It is longer in a long run, and where the host is slow, so that points cost a
+// twentieth of the time.
+constexpr Clock::duration kBetweenPoints = std::chrono::milliseconds{20};
+constexpr int kPartOfTheRun = 50;
+constexpr int kPartOfTheTime = 20;
+constexpr std::size_t kMostPoints = 128;
+constexpr Cycles kFinest{kClkFreqHz / 1000};  // 1 ms: no point is nearer to the cycle that the run goes back to
+
+class RunServer final : private RunListener {
+ public:
+  RunServer(const Scenario& scenario, const std::vector<StopCondition*>& conditions, MessageChannel& channel)
+      : conditions_{conditions}, channel_{channel}, points_{channel.descriptor()}, run_{scenario} {
+    run_.add(digest_);
+    run_.add(*this);
+    for (StopCondition* condition : conditions) run_.add(*condition);
+  }
+
+  [[noreturn]] void serve() {
+    went_back_ = points_.mark(run_.now().value());
+    while (const std::optional<RunRequest> next = channel_.peek<RunRequest>()) {
+      // The request stays in the channel for the process that can fulfil it.
+      if (next->kind == RunRequest::Kind::kGoTo && next->to < run_.now()) points_.go_back(next->to.value());
+      const RunRequest request = channel_.receive<RunRequest>().value();
+      if (const std::optional<RunAnswer> answer = fulfil(request)) {
+        channel_.send(*answer);
+        went_back_ = false;
+      }
+    }
+    ::_exit(EXIT_SUCCESS);
+  }
+
+ private:
+  void on_row(const TraceRow& row, const IntegerDigest&) override { triggers_.push_back(Cycles{row.cycle}); }
+
+  // Nothing: the process was taken back. Then the next request waits in the channel.
+  std::optional<RunAnswer> fulfil(const RunRequest& request) {
+    if (request.kind == RunRequest::Kind::kFindCondition) condition(request).begin();
+    work_begins_ = Clock::now();
+    gap_at_point_ = gap(request);
+    std::optional<Cycles> found;
+    while (!(found = find(request)) && run_.now() < request.to) {
+      const bool goes_on = run_.advance(std::min(run_.now() + armature::kTickCycles, request.to));
+      count_work();
+      if (!goes_on) break;
+      if (point_is_due(request) && take_point(request)) return std::nullopt;
+    }
+    if (!found) found = find(request);
+    return RunAnswer{.state = digest_.state(run_.look()), .found = found};
+  }
+
+  [[nodiscard]] std::int64_t gap(const RunRequest& request) const { return (request.to - run_.now()).value(); }
+
+  [[nodiscard]] std::optional<Cycles> find(const RunRequest& request) const {
+    switch (request.kind) {
+      case RunRequest::Kind::kGoTo:
+        break;
+      case RunRequest::Kind::kFindTick: {
+        const auto tick = static_cast<std::size_t>(request.what);
+        if (tick < triggers_.size()) return triggers_[tick];
+        break;
+      }
+      case RunRequest::Kind::kFindCondition:
+        return condition(request).met();
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] StopCondition& condition(const RunRequest& request) const {
+    return *conditions_.at(static_cast<std::size_t>(request.what));
+  }
+
+  void count_work() {
+    const Clock::time_point now = Clock::now();
+    worked_ += now - work_begins_;
+    work_begins_ = now;
+  }
+
+  [[nodiscard]] bool point_is_due(const RunRequest& request) const {
+    if (points_.count() >= most_points_) return false;
+    const Clock::duration since_point = worked_ - worked_at_point_;
+    if (since_point >= std::max({kBetweenPoints, worked_ / kPartOfTheRun, point_takes_ * kPartOfTheTime})) return true;
+    // Who goes back often does so again, by little.
+    const bool is_half_way = gap(request) <= gap_at_point_ / 2 && gap(request) >= kFinest.value();
+    return went_back_ && request.kind == RunRequest::Kind::kGoTo && is_half_way && since_point >= point_takes_;
+  }
+
+  // Returns whether the process was taken back here.
+  bool take_point(const RunRequest& request) {
+    worked_at_point_ = worked_;
+    gap_at_point_ = gap(request);
+    const Clock::time_point begin = Clock::now();
+    try {
+      if (!points_.mark(run_.now().value())) {
+        work_begins_ = Clock::now();
+        point_takes_ = work_begins_ - begin;
+        return false;
+      }
+    } catch (const std::runtime_error&) {
+      most_points_ = points_.count();  // the host allows no more; the way back is longer
+      return false;
+    }
+    return went_back_ = true;
+  }
+
+  const std::vector<StopCondition*>& conditions_;
+  MessageChannel& channel_;
+  ReturnPoints points_;
+  RunDigest digest_;
+  std::vector<Cycles> triggers_;  // of each tick
+  Run run_;
+  Clock::duration worked_{}, worked_at_point_{}, point_takes_{};
+  Clock::time_point work_begins_{};
+  std::size_t most_points_ = kMostPoints;
+  std::int64_t gap_at_point_ = 0;  // at the latest point, or at the begin of the request
+  bool went_back_ = false;         // for the present request
+};
+
+}  // namespace
+
+void serve_run(const Scenario& scenario, const std::vector<StopCondition*>& conditions, MessageChannel& channel) {
+  try {
+    RunServer{scenario, conditions, channel}.serve();
+  } catch (const std::exception& error) {
+    RunAnswer answer;
+    const std::string_view text{error.what()};
+    text.copy(answer.error.data(), answer.error.size() - 1);
+    channel.send(answer);
+    ::_exit(EXIT_FAILURE);
+  }
+}
+
+}  // namespace armature::cosim
