@@ -23,12 +23,18 @@ struct Clocks {
   [[nodiscard]] bool clk_bus_i() const { return (gated & kBusClock) != 0; }
 };
 
+// The gated clocks that the levels of input pins need, besides active_o. That depends on flops only, so it does not see
+// a request that the master has just begun.
+template <class Model>
+[[nodiscard]] unsigned requested_clocks(const Model& model) {
+  const bool request = (model.s_axi_awvalid_i | model.s_axi_wvalid_i | model.s_axi_arvalid_i) != 0;
+  return model.rst_ni == 0 ? kAllGatedClocks : request ? kBusClock : 0U;
+}
+
 // Returns the clocks that need the next edge, plus the gated clocks in `more`, without those in `stopped`.
 template <class Model>
 [[nodiscard]] Clocks needed_clocks(const Model& model, unsigned more = 0, unsigned stopped = 0) {
-  // active_o depends on flops only, so it does not see a request that the master has just begun.
-  const bool request = (model.s_axi_awvalid_i | model.s_axi_wvalid_i | model.s_axi_arvalid_i) != 0;
-  const unsigned active = model.rst_ni != 0 ? model.active_o | (request ? kBusClock : 0U) : kAllGatedClocks;
+  const unsigned active = model.active_o | requested_clocks(model);
   return {.ungated = true, .gated = (active | more) & ~stopped};
 }
 
