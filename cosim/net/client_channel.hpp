@@ -18,6 +18,9 @@ class ClientChannel {
 
   explicit ClientChannel(FileDescriptor socket) : socket_{std::move(socket)} {}
 
+  // Longer lines are accepted from now on.
+  void accept_lines_of(std::size_t bytes) { lines_.set_longest(bytes); }
+
   [[nodiscard]] const FileDescriptor& socket() const { return socket_; }
 
   // Receives the bytes that have arrived.

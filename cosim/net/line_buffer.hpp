@@ -17,6 +17,9 @@ class LineBuffer {
 
   explicit LineBuffer(std::size_t longest) : longest_{longest} {}
 
+  // Of the lines that are not complete yet.
+  void set_longest(std::size_t longest) { longest_ = longest; }
+
   // Number of bytes in the buffer: lines not yet returned, and the beginning of the next.
   [[nodiscard]] std::size_t held() const { return buffer_.size() - begin_; }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cosim/logic/pin_table.hpp"
+#include "cosim/serve/interpreter_command.hpp"
 #include "cosim/text/suggest.hpp"
 
 namespace armature::cosim {
@@ -53,21 +54,16 @@ void require(const BusResponse& response, std::uint32_t addr, Cycles timeout) {
 
 }  // namespace
 
-struct Interpreter::Command {
-  std::string_view name;
-  std::string_view usage;
-  std::string_view what;
-  void (Interpreter::*execute)(CommandWords& words, std::string& out);
-};
-
 const Interpreter::Command Interpreter::kCommands[] = {
-    {"r", "r ADDR", "read a register: ok 0xVALUE", &Interpreter::read},
-    {"w", "w ADDR DATA [STRB]", "write a register, bit i of STRB for byte i: ok", &Interpreter::write},
-    {"run", "run CYCLES", "that many clocks of 20 ns: ok CYCLE", &Interpreter::run},
-    {"run-until-irq", "run-until-irq MAX", "clocks until a bit of irq_o is high: ok CYCLE",
-     &Interpreter::run_until_irq},
-    {"pin", "pin NAME [VALUE]", "level of a pin, or drive an input from the next clock on", &Interpreter::pin},
-    {"time", "time", "clocks since reset: ok CYCLE", &Interpreter::time},
+    {"r", "r ADDR", "read a register: ok 0xVALUE", &Interpreter::read, true},
+    {"w", "w ADDR DATA [STRB]", "write a register, bit i of STRB for byte i: ok", &Interpreter::write, true},
+    {"run", "run CYCLES", "that many clocks of 20 ns: ok CYCLE", &Interpreter::run, true},
+    {"run-until-irq", "run-until-irq MAX", "clocks until a bit of irq_o is high: ok CYCLE", &Interpreter::run_until_irq,
+     true},
+    {"pin", "pin NAME [VALUE]", "level of a pin, or drive an input from the next clock on", &Interpreter::pin, true},
+    {"time", "time", "clocks since reset: ok CYCLE", &Interpreter::time, true},
+    {"batch", "batch OPERATION; ...", "many of r, w, run, run-until-irq, pin, time: ok, and a VALUE or - for each",
+     &Interpreter::batch},
     {"vcd", "vcd [FILE]",
      "waveform of every signal from now on into FILE below the folder of --out; without FILE: close it",
      &Interpreter::vcd},
@@ -82,6 +78,7 @@ const Interpreter::Command* Interpreter::find(std::string_view name) {
 void Interpreter::answer(std::string_view line, std::string& out, const StopRequest& stop) {
   ++lines_;
   stop_ = &stop;
+  cycles_left_ = kMaxCycles;
   const std::size_t begin = out.size();
   try {
     execute(line, out);
@@ -102,16 +99,20 @@ void Interpreter::answer(std::string_view line, std::string& out, const StopRequ
 
 void Interpreter::answer_to_long_line(std::string& out) {
   ++lines_;
-  append(out, "error a line has at most {} bytes\n", kMaxLine);
+  append(out, "error a line has at most {} bytes, a batch {}\n", kMaxLine, kMaxBatchLine);
 }
 
 void Interpreter::execute(std::string_view line, std::string& out) {
+  const bool long_line = line.size() > kMaxLine;
   if (line.ends_with('\r')) line.remove_suffix(1);
   constexpr std::string_view kHelp = "help";
   CommandWords first{line, kHelp};
   if (first.empty()) throw CommandRefused{"no command; 'help' lists them"};
   const std::string_view name = first.word("command");
   const Command* command = find(name);
+  if (long_line && (command == nullptr || command->execute != &Interpreter::batch)) {
+    throw CommandRefused{fmt::format("a line has at most {} bytes, a batch {}", kMaxLine, kMaxBatchLine)};
+  }
   if (command == nullptr) throw CommandRefused{fmt::format("no command {}; 'help' lists them", in_quotes(name))};
   CommandWords words{first.rest(), command->usage};
   (this->*command->execute)(words, out);
@@ -135,16 +136,22 @@ void Interpreter::write(CommandWords& words, std::string& out) {
   out += "ok";
 }
 
-void Interpreter::run(CommandWords& words, std::string& out) {
-  const Cycles cycles{static_cast<std::int64_t>(words.number("CYCLES", kMaxCycles))};
+Cycles Interpreter::cycles_to_run(CommandWords& words, std::string_view what) {
+  const auto cycles = static_cast<std::int64_t>(words.number(what, kMaxCycles));
   words.finish();
+  if (cycles > cycles_left_) throw CommandRefused{fmt::format("a batch runs at most {} cycles", kMaxCycles)};
+  cycles_left_ -= cycles;
+  return Cycles{cycles};
+}
+
+void Interpreter::run(CommandWords& words, std::string& out) {
+  const Cycles cycles = cycles_to_run(words, "CYCLES");
   if (!soc_.run(cycles, *stop_)) throw CommandRefused{fmt::format("interrupted at cycle {}", soc_.now().value())};
   append(out, "ok {}", soc_.now().value());
 }
 
 void Interpreter::run_until_irq(CommandWords& words, std::string& out) {
-  const Cycles max{static_cast<std::int64_t>(words.number("MAX", kMaxCycles))};
-  words.finish();
+  const Cycles max = cycles_to_run(words, "MAX");
   const std::optional<bool> active = soc_.run_until_irq(max, *stop_);
   if (!active) throw CommandRefused{fmt::format("interrupted at cycle {}", soc_.now().value())};
   if (!*active) throw CommandRefused{fmt::format("no interrupt within {} cycles", max.value())};

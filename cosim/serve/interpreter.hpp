@@ -1,7 +1,7 @@
 // The protocol of `armature serve`: a line of text in, a line of text out. README.md of this folder describes it.
 //
 // It uses no socket and no wall clock. Every line, whatever its bytes, gets exactly one answer: printable ASCII of at
-// most kMaxAnswer bytes that begins with `ok` or `error`. A malformed line has no effect.
+// most kMaxAnswer bytes (of a batch kMaxBatchAnswer) that begins with `ok` or `error`. A malformed line has no effect.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,11 @@ class Interpreter {
  public:
   static constexpr std::size_t kMaxAnswer = 512;                    // the end of the line included
   static constexpr std::size_t kMaxLine = ClientChannel::kMaxLine;  // longer ones are refused
-  // Limit of one command, 20 s of simulated time, so that a mistyped digit does not block the server for an hour.
+  // Of a batch: its operations, its line, and its answer, with its end.
+  static constexpr std::size_t kMaxOperations = 4096;
+  static constexpr std::size_t kMaxBatchLine = 32 * kMaxOperations;
+  static constexpr std::size_t kMaxBatchAnswer = 20 * kMaxOperations + kMaxAnswer;
+  // Limit of one line, 20 s of simulated time, so that a mistyped digit does not block the server for an hour.
   static constexpr std::int64_t kMaxCycles = 1'000'000'000;
 
   // `waves` is where `vcd FILE` may write.
@@ -31,7 +35,7 @@ class Interpreter {
   // the answer then reports it.
   void answer(std::string_view line, std::string& out, const StopRequest& stop);
 
-  // Appends the answer to a line that was longer than kMaxLine.
+  // Appends the answer to a line that was longer than kMaxBatchLine.
   void answer_to_long_line(std::string& out);
 
   [[nodiscard]] Cycles now() const { return soc_.now(); }
@@ -47,6 +51,8 @@ class Interpreter {
 
   static const Command* find(std::string_view name);
   void execute(std::string_view line, std::string& out);
+  void execute_operation(std::string_view text, std::string& out);
+  Cycles cycles_to_run(CommandWords& words, std::string_view what);
 
   void read(CommandWords& words, std::string& out);
   void write(CommandWords& words, std::string& out);
@@ -54,6 +60,7 @@ class Interpreter {
   void run_until_irq(CommandWords& words, std::string& out);
   void pin(CommandWords& words, std::string& out);
   void time(CommandWords& words, std::string& out);
+  void batch(CommandWords& words, std::string& out);
   void vcd(CommandWords& words, std::string& out);
   void help(CommandWords& words, std::string& out);
 
@@ -63,6 +70,7 @@ class Interpreter {
   WaveFolder waves_;
   const StopRequest* stop_ = nullptr;  // of the line under way
   std::int64_t lines_ = 0;
+  std::int64_t cycles_left_ = 0;  // that the line under way may still run
   bool broken_ = false;
 };
 

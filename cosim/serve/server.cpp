@@ -18,7 +18,8 @@ namespace {
 
 // A signal ends the wait. A signal between the check of the stop request and the wait is noticed this much later.
 constexpr int kStopPollMs = 50;
-constexpr std::size_t kMaxUnsent = kMaxInFlight * Interpreter::kMaxAnswer;
+constexpr std::size_t kMaxUnsent =
+    kMaxInFlight * Interpreter::kMaxAnswer + kMaxBatchesInFlight * Interpreter::kMaxBatchAnswer;
 // Answers are sent after this much simulated time, even when there are more lines. It takes some milliseconds of host
 // time.
 constexpr Cycles kBatch{50'000};
@@ -33,7 +34,9 @@ class Session {
         others_{others},
         interpreter_{interpreter},
         stop_{stop},
-        first_line_checked_{listener.token().has_value()} {}
+        first_line_checked_{listener.token().has_value()} {
+    client_.accept_lines_of(Interpreter::kMaxBatchLine);
+  }
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 

@@ -12,6 +12,7 @@ namespace armature::cosim {
 // A client may send this many lines before it reads the first answer. With more unread answers the server stops
 // reading. Within this limit client and server never wait for each other.
 inline constexpr std::size_t kMaxInFlight = 4096;
+inline constexpr std::size_t kMaxBatchesInFlight = 16;  // of these lines
 
 // Serves until `stop` returns true (polled at least every 50 ms) or a check inside the logic has failed.
 //

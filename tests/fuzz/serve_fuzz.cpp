@@ -14,7 +14,7 @@ namespace {
 
 bool is_answer(std::string_view text) {
   using armature::cosim::Interpreter;
-  if (text.size() > Interpreter::kMaxAnswer || !text.ends_with('\n')) return false;
+  if (text.size() > Interpreter::kMaxBatchAnswer || !text.ends_with('\n')) return false;
   text.remove_suffix(1);
   if (text != "ok" && !text.starts_with("ok ") && !text.starts_with("error ")) return false;
   return std::ranges::all_of(text, [](char c) { return c >= ' ' && c <= '~'; });
@@ -26,7 +26,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace armature::cosim;
   // Every run of the logic ends after a few thousand cycles.
   static test::ServeSession session{make_verilated_fabric(), [] { return true; }};
-  LineBuffer lines{Interpreter::kMaxLine};
+  LineBuffer lines{Interpreter::kMaxBatchLine};
   lines.append({reinterpret_cast<const char*>(data), size});
   lines.append("\n");
   while (const auto line = lines.next()) {

@@ -36,7 +36,7 @@ Over TCP the first line of a client is 'token TOKEN', with the token that the se
 A client sends one command in each line. It gets one line as the answer to each, in order: ok, ok 0xVALUE, ok CYCLE or
 error WHAT.
   r ADDR               w ADDR DATA [STRB]    run CYCLES    run-until-irq MAX
-  pin NAME [VALUE]     time                  vcd [FILE]    help [COMMAND]
+  pin NAME [VALUE]     time                  vcd [FILE]    help [COMMAND]    batch OPERATION; ...
 Numbers are decimal or 0x... A client may send many commands before it reads the first answer. Simulated time passes
 only in r, w, run and run-until-irq, so the same commands give the same cycles and values. There are no controller and
 no drives.

@@ -9,13 +9,26 @@ ARMATURE_TOKEN. The protocol is described in cosim/serve/README.md.
 """
 
 import os
+import re
 import socket
 
 MAX_IN_FLIGHT = 4096  # commands that may be sent before an answer is read
+MAX_OPERATIONS = 4096  # of one batch
 
 
 class Refused(Exception):
     """The server answered `error ...`; the connection stays open."""
+
+
+class BatchRefused(Refused):
+    """An operation of a batch failed. Those after it were not executed.
+
+    index: of the operation in the list that was given, from 0; results: of the operations before it.
+    """
+
+    def __init__(self, text, index, results):
+        super().__init__(text)
+        self.index, self.results = index, results
 
 
 class Soc:
@@ -91,6 +104,31 @@ class Soc:
                 except Refused as refused:
                     results.append(refused)
         return results
+
+    def batch(self, operations):
+        """Carries out commands (r, w, run, run-until-irq, pin, time) one after the other, thousands in one request.
+
+        Returns a number for each, None for those that have none. Raises BatchRefused at the first one that fails.
+        """
+        operations, results = list(operations), []
+        for begin in range(0, len(operations), MAX_OPERATIONS):
+            some = operations[begin : begin + MAX_OPERATIONS]
+            text = ";".join(some)
+            if text.count(";") != len(some) - 1:
+                raise ValueError("an operation is one command without ';'")
+            try:
+                results += self._values(self.command("batch " + text))
+            except Refused as refused:
+                failed = re.match(r"operation (\d+) of \d+: (.*); executed (?:none|0\.\.\d+: (.*))$", str(refused))
+                if not failed:
+                    raise
+                index, what, executed = failed.groups(default="")
+                raise BatchRefused(what, begin + int(index), results + self._values(executed)) from None
+        return results
+
+    @staticmethod
+    def _values(words):
+        return [None if word == "-" else int(word, 0) for word in words.split()]
 
     def _send_token(self, token):
         try:

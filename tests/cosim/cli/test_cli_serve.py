@@ -14,7 +14,7 @@ from cli_program import ROOT, Program, main
 CLIENT = ROOT / "cosim" / "serve" / "client"
 README = (ROOT / "cosim" / "serve" / "README.md").read_text()
 sys.path.insert(0, str(CLIENT))
-from armature_client import MAX_IN_FLIGHT, Refused, Soc  # noqa: E402
+from armature_client import MAX_IN_FLIGHT, MAX_OPERATIONS, BatchRefused, Refused, Soc  # noqa: E402
 
 SELF_TEST = "timer 0 counts\ntimer 1 counts\nperiod 2500 cycles\n"
 
@@ -206,6 +206,24 @@ class Serve(Program):
             self.end(process)
             with self.assertRaises(OSError):
                 soc.time()
+
+    def test_the_python_client_sends_batches_and_says_which_operations_were_executed(self):
+        for engine in ("rtl", "model"):
+            with self.subTest(engine):
+                process, address = self.server("k.sock", "--engine", engine)
+                with Soc(address) as soc:
+                    self.assertEqual(soc.batch([]), [])
+                    count = MAX_OPERATIONS + 10
+                    self.assertEqual(soc.batch(["run 1"] * count), list(range(1, count + 1)))
+                    operations = ["w 0x42800004 7", "r 0x42800004", "pin step_o", "run-until-irq 5", "time"]
+                    with self.assertRaisesRegex(BatchRefused, "^no interrupt within 5 cycles$") as refused:
+                        soc.batch(["time"] * MAX_OPERATIONS + operations)
+                    self.assertEqual(refused.exception.index, MAX_OPERATIONS + 3)
+                    self.assertEqual(refused.exception.results[MAX_OPERATIONS:], [None, 7, 0])
+                    self.assertEqual(soc.time(), count + 19 + 18 + 5)
+                    with self.assertRaises(ValueError):
+                        soc.batch(["time;time"])
+                self.end(process)
 
     def test_an_interrupt_closes_the_waveform_and_removes_the_socket(self):
         for how in (signal.SIGINT, signal.SIGTERM):

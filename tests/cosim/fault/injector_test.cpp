@@ -27,6 +27,7 @@ class FaultyProcessor final : public Processor {
   void set_tick_compute(Cycles cost) override { tick_compute.push_back(cost); }
   void write_astray(std::uint32_t addr, std::uint32_t data) override { stray_writes.emplace_back(addr, data); }
 
+  void run_ahead(RunAhead&) override { ADD_FAILURE(); }
   void notify(Cycles) override { ADD_FAILURE(); }
   std::optional<Cycles> next_event() const override { return std::nullopt; }
   void advance(Cycles) override { ADD_FAILURE(); }

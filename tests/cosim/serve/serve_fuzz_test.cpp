@@ -20,7 +20,7 @@ using test::ServeSession;
 
 // Answers `bytes`, which arrive in random pieces; checks what holds for every answer. Returns the answers.
 std::string answer_all(ServeSession& session, std::string_view bytes, SplitMix& random) {
-  LineBuffer lines{Interpreter::kMaxLine};
+  LineBuffer lines{Interpreter::kMaxBatchLine};
   std::string all;
   const auto expected = std::ranges::count(bytes, '\n');
   while (!bytes.empty()) {
@@ -35,7 +35,7 @@ std::string answer_all(ServeSession& session, std::string_view bytes, SplitMix& 
         session.interpreter.answer(line->text, answer, session.stop);
       }
       const std::string_view text = answer;
-      EXPECT_LE(text.size(), Interpreter::kMaxAnswer);
+      EXPECT_LE(text.size(), Interpreter::kMaxBatchAnswer);
       EXPECT_TRUE(text.ends_with('\n'));
       EXPECT_TRUE(text == "ok\n" || text.starts_with("ok ") || text.starts_with("error ")) << text;
       EXPECT_TRUE(std::ranges::all_of(text.substr(0, text.size() - 1), [](char c) { return c >= ' ' && c <= '~'; }));

@@ -100,7 +100,7 @@ TEST_P(ServeServer, RefusesALineThatIsTooLongAndGoesOn) {
   client.send_text(std::string(Interpreter::kMaxLine + 1, 'r') + "\n" + "time" +
                    std::string(Interpreter::kMaxLine - 4, ' ') + "\n");
   shutdown(client->socket, SHUT_WR);
-  EXPECT_EQ(client.receive_all(), "error a line has at most 4096 bytes\nok 0\n");
+  EXPECT_EQ(client.receive_all(), "error a line has at most 4096 bytes, a batch 131072\nok 0\n");
 }
 
 TEST_P(ServeServer, EndsWhileAClientIsConnected) {
