@@ -141,12 +141,13 @@ REPORT = {
     "judge": {"measure", "facts"},
     "format": {"measure", "facts", "judge"},
 }
-# The command line: what a command is, what its options have, what runs and keeps files, the commands.
+# The command line: what a command is, what its options have, waveforms of runs, what runs and keeps files, the commands.
 CLI = {
     "command": set(),
     "options": {"command"},
-    "run": {"command", "options"},
-    "commands": {"command", "options", "run"},
+    "waves": {"command", "options"},
+    "run": {"command", "options", "waves"},
+    "commands": {"command", "options", "waves", "run"},
 }
 # Folders whose own folders have rules.
 NESTED = {

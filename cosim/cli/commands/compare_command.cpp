@@ -15,7 +15,7 @@
 #include "cosim/cli/options/output_options.hpp"
 #include "cosim/cli/options/value_kinds.hpp"
 #include "cosim/cli/run/report_file.hpp"
-#include "cosim/cli/run/wave_pairs.hpp"
+#include "cosim/cli/waves/wave_pairs.hpp"
 #include "cosim/report/format/json/comparison_json.hpp"
 #include "cosim/report/format/json/wave_json.hpp"
 #include "cosim/run/run_folder.hpp"

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "cosim/cli/options/output_files.hpp"
-#include "cosim/cli/run/moment_wave.hpp"
+#include "cosim/cli/waves/moment_wave.hpp"
 #include "cosim/report/judge/run_summary.hpp"
 #include "cosim/run/run.hpp"
 #include "cosim/scenario/scenario.hpp"

@@ -68,7 +68,8 @@ Answer PulseTrain::access(Cycles at, const Strobes& access) {
   if (!access.write) return answer;
   cleared_faults_ = 0;
   answer.werr = write(access);
-  if (element_at(word_offset(access.waddr), train_regs::kCountOffset)) return answer;  // which acts when it is committed
+  if (element_at(word_offset(access.waddr), train_regs::kCountOffset))
+    return answer;  // which acts when it is committed
   faults_.edge(at, 0, cleared_faults_);
   wakes_at_ = at + Cycles{1};
   return answer;

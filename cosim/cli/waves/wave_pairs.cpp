@@ -1,4 +1,4 @@
-#include "cosim/cli/run/wave_pairs.hpp"
+#include "cosim/cli/waves/wave_pairs.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "cosim/cli/run/moment_wave.hpp"
+#include "cosim/cli/waves/moment_wave.hpp"
 
 #include <fmt/format.h>
 
