@@ -55,11 +55,8 @@ void Interpreter::execute_operation(std::string_view text, std::string& out) {
   CommandWords words{first.rest(), command->usage};
   const std::size_t begin = out.size();
   (this->*command->execute)(words, out);
-  if (out.size() == begin + kOk.size()) {
-    out.replace(begin, kOk.size(), kNoValue);
-  } else {
-    out.erase(begin, kOk.size());
-  }
+  out.erase(begin, kOk.size());
+  if (out.size() == begin) out += kNoValue;
 }
 
 }  // namespace armature::cosim

@@ -57,8 +57,8 @@ struct CompareOptions {
 
 // What is compared. Two waveforms have no traces.
 struct Compared {
-  std::optional<fs::path> trace_a, trace_b;
-  WavePairs waves;
+  std::optional<fs::path> trace_a{}, trace_b{};
+  WavePairs waves{};
 };
 
 fs::path trace_of(const fs::path& given) {

@@ -16,8 +16,8 @@ struct WavePair {
 // The waveforms of two folders of results that belong together: those of one name, or the only one of each folder. If
 // there are waveforms and none belong together, `why_none` says so in one line, which ends with '\n'.
 struct WavePairs {
-  std::vector<WavePair> pairs;
-  std::string why_none;
+  std::vector<WavePair> pairs{};
+  std::string why_none{};
 };
 [[nodiscard]] WavePairs wave_pairs(const std::filesystem::path& folder_a, const std::filesystem::path& folder_b);
 
