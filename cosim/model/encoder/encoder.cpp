@@ -5,6 +5,7 @@
 
 #include "controller/regs/encoder_regs.hpp"
 #include "cosim/logic/axis_bits.hpp"
+#include "cosim/model/encoder/encoder_ticks.hpp"
 
 namespace armature::cosim::model {
 namespace encoder_regs = armature::regs::encoder;

@@ -1,17 +1,17 @@
-// Whole ticks of the encoder: what its lines would have done at the edges that were left out.
+// Whole ticks of the encoder: what its lines would have done at the edges that were left out. Only encoder.cpp includes
+// these definitions, and instantiates the whole class once.
+#pragma once
+
 #include <algorithm>
 
 #include "controller/regs/encoder_regs.hpp"
 #include "cosim/model/encoder/encoder.hpp"
 
 namespace armature::cosim::model {
-namespace {
 
 constexpr std::uint32_t as_register(Counts counts) {
   return static_cast<std::uint32_t>(counts.value());
 }
-
-}  // namespace
 
 template <std::size_t kDecoders>
 bool Encoder<kDecoders>::leave_out_lines(Cycles at, const LineHistory& history) {
@@ -107,14 +107,5 @@ bool Encoder<kDecoders>::read_disturbs(std::uint32_t offset) {
   return !element_at(offset, encoder_regs::kPositionOffset) && offset != encoder_regs::kFaultOffset &&
          offset != encoder_regs::kIdOffset && offset != encoder_regs::kKnownOffset;
 }
-
-// The whole class is instantiated in encoder.cpp; these are what the variant with six decoders uses.
-template bool Encoder<6>::leave_out_lines(Cycles, const LineHistory&);
-template bool Encoder<6>::expect(const PerAxis<Counts>&, const PerAxis<std::optional<Counts>>&);
-template void Encoder<6>::continue_after(Cycles, const LineHistory&, bool);
-template void Encoder<6>::replay(const LineHistory&, Cycles);
-template void Encoder<6>::line_edge(Cycles, const EncoderLines&);
-template bool Encoder<6>::write_disturbs(std::uint32_t);
-template bool Encoder<6>::read_disturbs(std::uint32_t);
 
 }  // namespace armature::cosim::model
