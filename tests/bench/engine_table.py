@@ -19,11 +19,11 @@ TICK_S = 50e-6
 # Scenario, goal for RTL / model, goal for the real-time factor of the model, and the simulated times between which
 # instructions are counted [s]: in the middle of a motion. None: over the whole run, with the start of the program.
 RUNS = (
-    ("fig9_joint_move", 170, 100, (0.30, 0.50)),
-    ("max_rate_4mpps", 200, 60, (0.20, 0.30)),
-    ("draw_circle", 120, 60, (0.70, 1.00)),
-    ("gcode_short_lines", 120, 60, None),
-    ("gcode_helix_six_axis", 120, 60, None),
+    ("fig9_joint_move", 180, 100, (0.30, 0.50)),
+    ("max_rate_4mpps", 250, 100, (0.20, 0.30)),
+    ("draw_circle", 95, 60, (0.70, 1.00)),
+    ("gcode_short_lines", 30, None, None),
+    ("gcode_helix_six_axis", 30, None, None),
 )
 # Of the RTL: what, scenario, goal for instructions per clock, and between which times [s]; the plateau has 200 pulses in
 # each tick.
@@ -49,7 +49,7 @@ def show_times(bench, rounds):
     for name, ratio_goal, factor_goal, _ in RUNS:
         found = words_of(run(bench, "ratio", name, rounds))
         show(f"{name}: RTL / model", f"{found['ratio']:.1f}", f">= {ratio_goal}")
-        show(f"{name}: model, real-time factor", f"{found['simulated'] / found['model']:.1f}", f">= {factor_goal}")
+        show(f"{name}: model, real-time factor", f"{found['simulated'] / found['model']:.1f}", f">= {factor_goal}" if factor_goal else "")
 
 
 def show_instructions(program):
@@ -86,7 +86,7 @@ def show_lengths(bench):
 
 def show_steps(bench, rounds):
     found = words_of(run(bench, "steps", "fig9_joint_move", rounds))
-    show("steps of 1 ms from outside on the model, per second", f"{found['steps']:.0f}")
+    show("steps of 1 ms from outside on the model, per second", f"{found['steps']:.0f}", ">= 50000")
 
 
 def show_check(program):
