@@ -49,7 +49,11 @@ def show_times(bench, rounds):
     for name, ratio_goal, factor_goal, _ in RUNS:
         found = words_of(run(bench, "ratio", name, rounds))
         show(f"{name}: RTL / model", f"{found['ratio']:.1f}", f">= {ratio_goal}")
-        show(f"{name}: model, real-time factor", f"{found['simulated'] / found['model']:.1f}", f">= {factor_goal}" if factor_goal else "")
+        show(
+            f"{name}: model, real-time factor",
+            f"{found['simulated'] / found['model']:.1f}",
+            f">= {factor_goal}" if factor_goal else "",
+        )
 
 
 def show_instructions(program):
