@@ -1,6 +1,5 @@
 // Core 0 ahead of the simulation (cosim/cpu/run_ahead.hpp), where a tick runs as a whole.
 #include <algorithm>
-#include <utility>
 
 #include "cosim/kernel/simulation.hpp"
 
@@ -29,19 +28,17 @@ void Simulation::catch_up(Cycles until) {
 RunAhead::Outcome Simulation::try_access(const BusRequest& request, Cycles at, Cycles horizon) {
   if (ticks_.disturbs(request)) return {};
   catch_up(at);
-  const auto [response, pins_changed] = soc_->access(request, horizon - Cycles{1});
-  if (response && !pins_changed && response->error == BusError::kNone) {
-    const Cycles ends = now();
-    bus_time_[0] += ends - at;
-    if (check_access(request, *response)) {
-      return {Access::kDone, response->data, ends, std::min(horizon, soc_->quiet_until())};
-    }
-  }
   access_ = Processor::Access{.core = 0, .request = request};
   access_since_ = at;
-  response_ = response;
-  pins_changed_ = pins_changed;
-  return {.access = Access::kBegun};
+  const auto [response, pins_changed] = soc_->access(request, horizon - Cycles{1});
+  if (!response || pins_changed || response->error != BusError::kNone) {
+    response_ = response;
+    pins_changed_ = pins_changed;
+    return {.access = Access::kBegun};
+  }
+  take_access();
+  if (!check_access(request, *response)) return {.access = Access::kBegun};  // the run is over
+  return {Access::kDone, response->data, now(), std::min(horizon, soc_->quiet_until())};
 }
 
 }  // namespace armature::cosim

@@ -106,12 +106,6 @@ class ModelSoc final : public Soc {
   void close_wave() override { wave_.close(); }
 
  private:
-  // To the end of the access under way, or to a change of an output, or to `limit`.
-  Progress run_access(Cycles limit) {
-    const bool changed = advance(limit, StopOn::kPinChange);
-    return {.response = pop_response(), .pins_changed = changed};
-  }
-
   using Answers = typename Logic<Variant>::Answers;
 
   // Runs to the next edge that must be computed, or to `end`. Returns whether an output has changed.

@@ -4,6 +4,10 @@ namespace armature::cosim {
 
 Soc::Progress Soc::access(const BusRequest& request, Cycles limit) {
   start(request);
+  return run_access(limit);
+}
+
+Soc::Progress Soc::run_access(Cycles limit) {
   const bool changed = advance(limit, StopOn::kPinChange);
   return {.response = pop_response(), .pins_changed = changed};
 }

@@ -59,8 +59,8 @@ class Soc {
   // advance, else none. A client must not depend on it: advance() stops at that cycle in either case.
   virtual std::optional<Cycles> start(const BusRequest& request) = 0;
 
-  // start(), and advance(limit, StopOn::kPinChange) unless `limit` is now(). Returns the response if the access has
-  // ended, and else whether an output has changed.
+  // start(), then advance(limit, StopOn::kPinChange). Returns the response if the access has ended, and whether an
+  // output has changed at now().
   struct Progress {
     std::optional<BusResponse> response{};
     bool pins_changed = false;
@@ -92,6 +92,10 @@ class Soc {
   virtual void add_to_waves(const SoftwareSignals&) {}  // as Fabric::add_to_waves
   virtual void open_wave(const std::filesystem::path& file, WaveFormat format) = 0;
   virtual void close_wave() = 0;
+
+ protected:
+  // The rest of access(), after start().
+  Progress run_access(Cycles limit);
 };
 
 }  // namespace armature::cosim
