@@ -1,13 +1,12 @@
 #include "cosim/cpu/core.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
+
+#include "cosim/time/never.hpp"
 
 namespace armature::cosim {
 namespace {
-
-constexpr Cycles kForever{std::numeric_limits<std::int64_t>::max()};
 
 constexpr std::uint32_t bits(Interrupts lines) {
   return static_cast<std::uint32_t>(lines);
@@ -119,9 +118,9 @@ Cycles Core::horizon() const {
 Cycles Core::quiet_until() const {
   switch (wait_) {
     case Wait::kInterrupt:
-      return active(mask_) == Interrupts::kNone ? kForever : Cycles{0};
+      return active(mask_) == Interrupts::kNone ? kNever : Cycles{0};
     case Wait::kHalted:
-      return kForever;
+      return kNever;
     case Wait::kTime:
       return wake_;
     case Wait::kBus:

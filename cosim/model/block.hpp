@@ -19,17 +19,16 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 
 #include "controller/base/axes.hpp"
 #include "controller/base/units.hpp"
 #include "cosim/bus/register_address.hpp"
+#include "cosim/time/never.hpp"
 
 namespace armature::cosim::model {
 
 inline constexpr Cycles kTimeZero{0};
-inline constexpr Cycles kNever{std::numeric_limits<std::int64_t>::max()};
 
 // The register accesses of one clock edge. Addresses are in bytes from the base of the block.
 struct Strobes {

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 
 #include "controller/base/timebase.hpp"
 #include "controller/base/units.hpp"
+#include "cosim/time/never.hpp"
 
 namespace armature::cosim {
 
@@ -16,8 +16,5 @@ inline constexpr std::int64_t kPlantClockHz = kClkFreqHz;
 inline constexpr Cycles kPlantStep{250};
 inline constexpr double kPlantStepSeconds =
     static_cast<double>(kPlantStep.value()) / static_cast<double>(kPlantClockHz);
-
-// "No event": later than every cycle of a run.
-inline constexpr Cycles kNever{std::numeric_limits<std::int64_t>::max()};
 
 }  // namespace armature::cosim

@@ -1,18 +1,12 @@
 #include "cosim/rewind/reversible_run.hpp"
 
-#include <limits>
 #include <stdexcept>
 
 #include "cosim/rewind/run_server.hpp"
 #include "cosim/snapshot/copied_process.hpp"
+#include "cosim/time/never.hpp"
 
 namespace armature::cosim {
-namespace {
-
-constexpr Cycles kEnd{std::numeric_limits<std::int64_t>::max()};
-
-}  // namespace
-
 ReversibleRun::ReversibleRun(const Scenario& scenario, const std::vector<StopCondition*>& conditions) {
   auto [ours, of_run] = MessageChannel::pair();
   process_ = copy_this_process(of_run.descriptor());
@@ -32,7 +26,7 @@ const RunState& ReversibleRun::go_to(Cycles cycle) {
 }
 
 bool ReversibleRun::go_to_tick(std::int64_t tick) {
-  return go_behind(ask({.kind = RunRequest::Kind::kFindTick, .to = kEnd, .what = tick}));
+  return go_behind(ask({.kind = RunRequest::Kind::kFindTick, .to = kNever, .what = tick}));
 }
 
 bool ReversibleRun::advance_to(std::size_t condition, Cycles limit) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <exception>
-#include <limits>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -12,11 +11,11 @@
 #include "controller/base/timebase.hpp"
 #include "cosim/golden/golden.hpp"
 #include "cosim/report/judge/expect.hpp"
+#include "cosim/time/never.hpp"
 
 namespace armature::cosim {
 namespace {
 
-constexpr Cycles kNoMore{std::numeric_limits<std::int64_t>::max()};
 // From the begin of a difference until it is seen: the rows of a golden are so far apart.
 constexpr Cycles kSeenLate{kGoldenEveryTicks * armature::kTickCycles.value()};
 
@@ -76,7 +75,7 @@ void WaveSnapshots::take() {
     if (auto* woken = std::get_if<WokenCopy>(&taken)) write_in_copy(*woken);
     latest_.push_back(std::make_shared<Snapshot>(Snapshot{parts_.run.now(), std::move(std::get<WaitingCopy>(taken))}));
   } catch (const std::runtime_error&) {
-    next_ = kNoMore;  // the host allows no more
+    next_ = kNever;  // the host allows no more
   }
   ending_.reset();
   if (latest_.size() <= kept_) return;
@@ -102,7 +101,7 @@ void WaveSnapshots::order(const WaveMoment& moment) {
   chosen_ = pinned ? pin->second.snapshot : latest_before(span.from);
   if (!chosen_ || !chosen_->copy.wake(span)) return;
   ordered_ = moment;
-  next_ = kNoMore;
+  next_ = kNever;
   latest_.clear();
 }
 

@@ -92,10 +92,10 @@ COSIM = {
     "fabric": {"time", "logic"},
     "bus": {"time", "logic", "fabric"},
     "soc": {"logic", "fabric", "bus"},
-    "model": {"logic", "fabric", "bus", "soc"},
+    "model": {"time", "logic", "fabric", "bus", "soc"},
     "engine": {"logic", "fabric", "bus", "soc", "model"},
-    "cpu": {"bus"},
-    "plant": {"logic", "robot"},
+    "cpu": {"time", "bus"},
+    "plant": {"time", "logic", "robot"},
     "fault": {"time", "logic", "soc", "cpu", "plant"},
     "check": {"logic", "bus", "plant"},
     "serial": {"time", "text", "net"},
@@ -168,6 +168,7 @@ PLANT = {
     "cosim/logic/pins.hpp",
     "cosim/logic/whole_tick.hpp",
     "cosim/robot/robot_spec.hpp",
+    "cosim/time/never.hpp",
 }
 # Of the parts that a scenario describes, the scenario may include their descriptions only.
 DESCRIBED = {"bus", "cpu", "fault", "serial", "pendant"}

@@ -84,7 +84,7 @@ TEST(Dispatcher, ClearFaultOutsideFaultChangesNothing) {
 
 TEST(Dispatcher, ClearFaultIsRefusedOnHardwareThatIsNotItsOwn) {
   ControllerRig rig;
-  rig.logic.plant(test::ModelLogic::kPulses, 0);
+  rig.logic.planted.plant(test::ModelLogic::kPulses, 0);
   rig.run(1);  // the trigger never starts: commands come after the notice
   for (const Command& command : {Command{ClearFault{}}, Command{JointMove{}}, Command{ClearFault{}}}) {
     rig.submit(command);

@@ -52,7 +52,7 @@ TEST(MotionLoop, APauseOfAQuarterTickIsNoFaultOfTheClock) {
 TEST(MotionLoop, AnotherBlockThanItsOwnKeepsItFromStarting) {
   for (const bool pulse_train : {true, false}) {
     ControllerRig rig;
-    rig.logic.plant(pulse_train ? test::ModelLogic::kPulses : test::ModelLogic::kEncoder, 0xBADA'CCE5);
+    rig.logic.planted.plant(pulse_train ? test::ModelLogic::kPulses : test::ModelLogic::kEncoder, 0xBADA'CCE5);
     rig.move_at(0, kFigure9Deg);
     rig.submit(JointMove{});
     rig.run(100);
@@ -69,11 +69,11 @@ TEST(MotionLoop, AnotherBlockThanItsOwnKeepsItFromStarting) {
 TEST(MotionLoop, AnEncoderThatNeverSettledKeepsTheDrivesOff) {
   ControllerRig rig;
   const RegAddr known = test::ModelLogic::kEncoder + regs::encoder::kKnownOffset;
-  rig.logic.plant(known, 0b101011);
+  rig.logic.planted.plant(known, 0b101011);
   rig.move_at(500, {1, 1, 1, 1, 1, 1});  // in Fault: refused
   rig.at(900, [&] { EXPECT_EQ(rig.logic.servo_on(), 0u); });
   rig.submit_at(1'000, ClearFault{});
-  rig.at(2'000, [&] { rig.logic.remove_planted(known); });
+  rig.at(2'000, [&] { rig.logic.planted.remove(known); });
   rig.submit_at(2'100, ClearFault{});
   rig.move_at(2'200, {3, -3, 3, -3, 3, -3});
   rig.run(10'000);
@@ -235,9 +235,9 @@ const FaultCase kFaultCases[] = {
     {"DriveAlarm", FaultCause::kDriveAlarm, 4, [](test::ModelLogic& logic) { logic.pins.drive_alarm = 0b001000; },
      [](test::ModelLogic& logic) { logic.pins.drive_alarm = 0; }},
     {"IllegalTransition", FaultCause::kEncoder, 2,
-     [](test::ModelLogic& logic) { logic.plant(kEncoderFault, 0b000010); }, nothing},
+     [](test::ModelLogic& logic) { logic.planted.plant(kEncoderFault, 0b000010); }, nothing},
     {"IndexMismatch", FaultCause::kEncoder, 6,
-     [](test::ModelLogic& logic) { logic.plant(kEncoderFault, 0b100000 << 8); }, nothing},
+     [](test::ModelLogic& logic) { logic.planted.plant(kEncoderFault, 0b100000 << 8); }, nothing},
     {"PositiveLimit", FaultCause::kLimitSwitch, 1, [](test::ModelLogic& logic) { logic.pins.limit_pos = 0b000001; },
      nothing},
     {"NegativeLimit", FaultCause::kLimitSwitch, 2, [](test::ModelLogic& logic) { logic.pins.limit_neg = 0b000010; },

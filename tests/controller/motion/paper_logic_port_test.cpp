@@ -62,9 +62,9 @@ TEST_F(PaperPort, KnowsTheBlocksOfTheVariant) {
   EXPECT_TRUE(port.identified());
   for (const RegAddr id :
        {test::PaperModelLogic::kPulses, test::PaperModelLogic::kSwitch, test::PaperModelLogic::kEncoder}) {
-    logic.plant(id, logic.read32(id) ^ 0x0001'0000u);
+    logic.planted.plant(id, logic.read32(id) ^ 0x0001'0000u);
     EXPECT_FALSE(port.identified());
-    logic.remove_planted(id);
+    logic.planted.remove(id);
   }
 }
 
@@ -78,11 +78,11 @@ TEST_F(PaperPort, StartsStandingWithTheDrivesOn) {
 
 TEST_F(PaperPort, StaysOffWithABlindDecoder) {
   const RegAddr known = test::PaperModelLogic::kEncoder + regs::encoder::kKnownOffset;
-  logic.plant(known, 0);
+  logic.planted.plant(known, 0);
   port.start(test::paper_robot());
   EXPECT_EQ(port.uncounted_axes(), 0b000001);
   EXPECT_EQ(logic.servo_on(), 0u);
-  logic.remove_planted(known);
+  logic.planted.remove(known);
   port.clear_faults();
   EXPECT_EQ(port.uncounted_axes(), 0);
 }

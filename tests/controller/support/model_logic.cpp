@@ -127,8 +127,8 @@ class ModelLogic::Chip {
       leave_whole_tick();
     }
     tick_.reset();
-    if (step_at_ != model::kNever) move_drives();
-    step_at_ = model::kNever;
+    if (step_at_ != cosim::kNever) move_drives();
+    step_at_ = cosim::kNever;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       largest_count_ = std::max(largest_count_, std::abs(emitted_[axis] - emitted_before_[axis]));
     }
@@ -199,7 +199,7 @@ class ModelLogic::Chip {
     }
     step_at_ += kStep;
     if (step_at_ <= tick_begins_ + kTickLength) return;
-    step_at_ = model::kNever;
+    step_at_ = cosim::kNever;
     leave_whole_tick();  // the trigger is late
   }
 
@@ -212,7 +212,7 @@ class ModelLogic::Chip {
   ModelLogic& owner_;
   Logic logic_;
   Cycles wake_{1};  // the next edge of the model that must be computed
-  Cycles step_at_ = model::kNever;
+  Cycles step_at_ = cosim::kNever;
   Cycles tick_begins_{};
   bool timer_runs_ = false;
   std::optional<cosim::TickPulses> tick_;  // that runs as a whole
@@ -279,15 +279,11 @@ std::uint32_t ModelLogic::peek(RegAddr addr) const {
 }
 
 std::uint32_t ModelLogic::read(RegAddr addr, std::int64_t cycles) {
-  const std::uint32_t data = chip_->access(block_read(addr, model::CountsVariant::kBases), Cycles{cycles - 1});
-  if (!planted_.empty()) {
-    if (const auto it = planted_.find(addr.value); it != planted_.end()) return it->second;
-  }
-  return data;
+  return planted.shown(addr, chip_->access(block_read(addr, model::CountsVariant::kBases), Cycles{cycles - 1}));
 }
 void ModelLogic::write(RegAddr addr, std::uint32_t value, std::int64_t cycles) {
   (void)chip_->access(block_write(addr, value, model::CountsVariant::kBases), Cycles{cycles - 1});
-  if (!planted_.empty()) remove_planted(addr);
+  planted.remove(addr);
 }
 
 std::uint32_t ModelLogic::read32(RegAddr addr) noexcept {

@@ -11,7 +11,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <memory>
 
 #include "controller/base/axes.hpp"
@@ -20,6 +19,7 @@
 #include "controller/regs/soc_map.hpp"
 #include "controller/robot/robot_model.hpp"
 #include "cosim/logic/pins.hpp"
+#include "tests/controller/support/planted_registers.hpp"
 #include "tests/controller/support/simple_drive.hpp"
 
 namespace armature::test {
@@ -44,9 +44,7 @@ class ModelLogic final : public RegisterBus {
   void fit_drives(const RobotModel& robot);
   void set_tool_input(int pin, bool level);               // 1..16
   void pass_index(std::size_t axis, std::int64_t count);  // the index of the encoder has come at that count
-  // Reads of the register give this value until it is written: what a fault of the hardware shows.
-  void plant(RegAddr addr, std::uint32_t value) { planted_[addr.value] = value; }
-  void remove_planted(RegAddr addr) { planted_.erase(addr.value); }
+  PlantedRegisters planted;
 
   std::function<void(std::int64_t)> on_trigger;  // after the logic has acted; the number of the trigger, from 0
   std::function<void()> on_wait = [] {};         // core 0 begins to wait for the interrupt
@@ -87,7 +85,6 @@ class ModelLogic final : public RegisterBus {
   void triggered();
 
   std::unique_ptr<Chip> chip_;
-  std::map<std::uint32_t, std::uint32_t> planted_;  // by address
   std::int64_t stood_ = 0;
   std::int64_t triggers_ = 0;
   std::uint32_t faults_read_ = 0;

@@ -141,15 +141,12 @@ std::uint32_t PaperModelLogic::servo_on() const {
 
 std::uint32_t PaperModelLogic::read32(RegAddr addr) noexcept {
   pass(kAccessCycles - 1);
-  const std::uint32_t data = chip_->access(block_read(addr, kBases));
-  if (planted_.empty()) return data;
-  const auto planted = planted_.find(addr.value);
-  return planted == planted_.end() ? data : planted->second;
+  return planted.shown(addr, chip_->access(block_read(addr, kBases)));
 }
 void PaperModelLogic::write32(RegAddr addr, std::uint32_t value) noexcept {
   pass(kAccessCycles - 1);
   (void)chip_->access(block_write(addr, value, kBases));
-  if (!planted_.empty()) remove_planted(addr);
+  planted.remove(addr);
 }
 Cycles PaperModelLogic::now() noexcept {
   return chip_->now();

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -12,6 +11,7 @@
 #include "controller/base/axes.hpp"
 #include "controller/hal/register_bus.hpp"
 #include "controller/regs/soc_map.hpp"
+#include "tests/controller/support/planted_registers.hpp"
 
 namespace armature::test {
 
@@ -31,9 +31,7 @@ class PaperModelLogic final : public RegisterBus {
   bool estop_pin = false;
   PerAxis<std::int64_t> offsets{};  // counts of the encoders without pulses; a step by 2 is an illegal transition
   bool has_encoders = true;         // false: the lines stand still
-  // Reads of the register give this value until it is written.
-  void plant(RegAddr addr, std::uint32_t value) { planted_[addr.value] = value; }
-  void remove_planted(RegAddr addr) { planted_.erase(addr.value); }
+  PlantedRegisters planted;
 
   void pass(std::int64_t cycles);
   void pass_to_trigger() { pass(cycles_to_trigger()); }
@@ -60,7 +58,6 @@ class PaperModelLogic final : public RegisterBus {
   class Chip;
 
   std::unique_ptr<Chip> chip_;
-  std::map<std::uint32_t, std::uint32_t> planted_;  // by address
 };
 
 }  // namespace armature::test

@@ -13,8 +13,8 @@
 namespace armature::test::axi_timer {
 namespace {
 
+using cosim::kNever;
 using cosim::model::AxiTimer;
-using cosim::model::kNever;
 using cosim::model::TimerInputs;
 
 // How the master, the pins and the timers behave for a while.
