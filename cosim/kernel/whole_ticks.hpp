@@ -1,8 +1,8 @@
 // Runs ticks of pulses, motors and encoders as a whole where nothing asks for their edges (cosim/soc/motion_port.hpp).
 //
-// A run has the same bytes with it and without it. A tick is computed by its edges again from its begin when something
+// A run has the same bytes with it and without it. A tick is computed by its edges again from its start when something
 // disturbs it: an access to a register that shows or changes what is left out, a fault, a waveform, a trigger at
-// another time; and from the begin on when more than pulses and lines may change in it: a switch, an output of a drive,
+// another time; and from the start on when more than pulses and lines may change in it: a switch, an output of a drive,
 // a level that the decoders could take for a glitch.
 #pragma once
 
@@ -32,7 +32,7 @@ class WholeTicks {
   [[nodiscard]] bool is_whole() const { return tick_ && !over_; }
   // Whether the access must see all edges.
   [[nodiscard]] bool disturbs(const BusRequest& request) const { return tick_ && port_->disturbs(request); }
-  // Computes all edges up to `now`, from the begin of the tick. Returns as advance().
+  // Computes all edges up to `now`, from the start of the tick. Returns as advance().
   bool leave(Cycles now);
 
   [[nodiscard]] std::int64_t ticks() const { return ticks_; }  // that were whole

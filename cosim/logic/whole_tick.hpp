@@ -17,7 +17,7 @@ namespace armature::cosim {
 // first + W, where the next tick begins.
 struct AxisPulses {
   std::int32_t count = 0;   // n, signed by the direction
-  Cycles first{};           // later than the begin of the tick if the axis was blocked by a reversal
+  Cycles first{};           // later than the start of the tick if the axis was blocked by a reversal
   std::int32_t window = 0;  // W
   Cycles fell{};            // the latest falling edge before it
   Cycles turned{};          // the latest change of the direction before its first pulse

@@ -9,7 +9,7 @@ constexpr std::int64_t floor_div(std::int64_t a, std::int64_t b) {
   return quotient * b > a ? quotient - 1 : quotient;
 }
 
-// The count that the encoder shows `elapsed` cycles after the begin of the motion.
+// The count that the encoder shows `elapsed` cycles after the start of the motion.
 Counts count_in(const IncrementalEncoder::Motion& motion, std::int64_t elapsed) {
   if (elapsed >= motion.length.value()) return nearest_count(motion.target);
   const std::int64_t moved = floor_div((motion.target - motion.start).value() * elapsed, motion.length.value());

@@ -67,11 +67,11 @@ class Plant {
   // begin_tick() that returns true to resume_edges() nothing is due, on_outputs() sees no pulses, and inputs() stand
   // still.
 
-  // Moves the motors through the steps of the tick, from its begin to the edge before its end. Call it after
+  // Moves the motors through the steps of the tick, from its start to the edge before its end. Call it after
   // on_outputs() and before advance() of the cycle tick.begins. Returns false, and changes nothing, if more than pulses
   // and encoder lines could change in the tick, or if a level of a line would not last longer than `spacing`.
   [[nodiscard]] bool begin_tick(const TickPulses& tick, Cycles spacing);
-  // Takes the tick back, to its begin.
+  // Takes the tick back, to its start.
   void revert_tick();
   // Computes the edges again, from the end of the latest tick that was not taken back: after advance() of the cycle
   // `now`. `changed`, `turned`: the latest edges of step and dir, which now have the levels of `out`.

@@ -14,7 +14,7 @@
 namespace armature::cosim {
 
 struct PlantTicks {
-  // What a tick changes, as it was at its begin.
+  // What a tick changes, as it was at its start.
   struct State {
     std::vector<ServoDrive> drives{};
     PerAxis<Shaft> shafts{};

@@ -27,7 +27,7 @@ using Clock = std::chrono::steady_clock;
 constexpr Clock::duration kBetweenPoints = std::chrono::milliseconds{20};
 constexpr int kPartOfTheRun = 50;
 constexpr int kPartOfTheTime = 20;
-constexpr std::size_t kMostPoints = 128;
+constexpr std::size_t kMaxPoints = 128;
 constexpr Cycles kFinest{kClkFreqHz / 1000};  // 1 ms: no point is nearer to the cycle that the run goes back to
 
 class RunServer final : private RunListener {
@@ -63,9 +63,9 @@ class RunServer final : private RunListener {
     gap_at_point_ = gap(request);
     std::optional<Cycles> found;
     while (!(found = find(request)) && run_.now() < request.to) {
-      const bool goes_on = run_.advance(std::min(run_.now() + armature::kTickCycles, request.to));
+      const bool continues = run_.advance(std::min(run_.now() + armature::kTickCycles, request.to));
       count_work();
-      if (!goes_on) break;
+      if (!continues) break;
       if (point_is_due(request) && take_point(request)) return std::nullopt;
     }
     if (!found) found = find(request);
@@ -100,7 +100,7 @@ class RunServer final : private RunListener {
   }
 
   [[nodiscard]] bool point_is_due(const RunRequest& request) const {
-    if (points_.count() >= most_points_) return false;
+    if (points_.count() >= max_points_) return false;
     const Clock::duration since_point = worked_ - worked_at_point_;
     if (since_point >= std::max({kBetweenPoints, worked_ / kPartOfTheRun, point_takes_ * kPartOfTheTime})) return true;
     // Who goes back often does so again, by little.
@@ -120,7 +120,7 @@ class RunServer final : private RunListener {
         return false;
       }
     } catch (const std::runtime_error&) {
-      most_points_ = points_.count();  // the host allows no more; the way back is longer
+      max_points_ = points_.count();  // the host allows no more; the way back is longer
       return false;
     }
     return went_back_ = true;
@@ -134,8 +134,8 @@ class RunServer final : private RunListener {
   Run run_;
   Clock::duration worked_{}, worked_at_point_{}, point_takes_{};
   Clock::time_point work_begins_{};
-  std::size_t most_points_ = kMostPoints;
-  std::int64_t gap_at_point_ = 0;  // at the latest point, or at the begin of the request
+  std::size_t max_points_ = kMaxPoints;
+  std::int64_t gap_at_point_ = 0;  // at the latest point, or at the start of the request
   bool went_back_ = false;         // for the present request
 };
 

@@ -16,7 +16,7 @@
 namespace armature::cosim {
 namespace {
 
-// From the begin of a difference until it is seen: the rows of a golden are so far apart.
+// From the start of a difference until it is seen: the rows of a golden are so far apart.
 constexpr Cycles kSeenLate{kGoldenEveryTicks * armature::kTickCycles.value()};
 
 // Of a copy that has written the waveform.
@@ -25,7 +25,7 @@ struct SpanWritten {
   std::array<char, 500> error{};  // '\0' ended; empty: none
 };
 
-// The oldest snapshot is always older than the begin of a waveform.
+// The oldest snapshot is always older than the start of a waveform.
 std::size_t snapshots_for(Cycles before, Cycles every) {
   const std::int64_t back = (before + std::max(every, kSeenLate)).value();
   return static_cast<std::size_t>(back / every.value()) + 2;

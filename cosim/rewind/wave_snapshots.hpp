@@ -1,7 +1,8 @@
 // Snapshots of a run by fork(), so that the waveform of a moment that has passed costs no second run. The engine must
 // have the signals: not Engine::kModel. The run must have no peer at its serial line, which could not say all again.
 //
-// A snapshot that is needed goes on beside the run and writes the waveform. The results of the run do not depend on it.
+// A snapshot that is needed continues beside the run and writes the waveform. The results of the run do not depend on
+// it.
 #pragma once
 
 #include <cstddef>

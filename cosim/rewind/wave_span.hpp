@@ -22,7 +22,7 @@ struct WaveOutput {
 
 // Advances the run through the span and writes its waveform: the same file as WaveRequest gives in one run. Returns the
 // cycle at which the waveform ends: that of the span, or the end of the run, or where `stop_requested` ends it, which
-// is called often. The run is not behind the begin of the span. Throws std::runtime_error when the file cannot be
+// is called often. The run is not behind the start of the span. Throws std::runtime_error when the file cannot be
 // written.
 Cycles write_span(Run& run, const WaveSpan& span, const WaveOutput& output,
                   const std::function<bool()>& stop_requested);

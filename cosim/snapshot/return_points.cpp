@@ -36,7 +36,7 @@ bool ReturnPoints::mark(std::int64_t key) {
       copy = copy_this_process(kept_);
     } catch (const std::runtime_error&) {
       if (!again) throw;
-      return true;  // this process goes on itself
+      return true;  // this process continues itself
     }
     if (copy == 0) {
       ++count_;

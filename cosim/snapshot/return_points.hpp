@@ -5,7 +5,7 @@
 //   ...
 //   points.go_back(9);                 // the line of mark(7) returns again, with true
 //
-// At each point the process makes a copy of itself and waits; the copy goes on. To go back, the copies behind a point
+// At each point the process makes a copy of itself and waits; the copy continues. To go back, the copies behind a point
 // end, and the process that waits there makes a new copy. So a process is the parent of all that comes after its point,
 // and no process remains when the first one ends. copied_process.hpp says what a copy does with files.
 #pragma once

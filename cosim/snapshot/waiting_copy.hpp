@@ -1,4 +1,5 @@
-// A snapshot of this process: a copy that waits, and goes on from there when it is woken. This process goes on, too.
+// A snapshot of this process: a copy that waits, and continues from there when it is woken. This process continues,
+// too.
 //
 //   auto taken = take_snapshot();
 //   if (auto* woken = std::get_if<WokenCopy>(&taken)) {  // in the copy, later

@@ -41,7 +41,7 @@ class MotionPort {
 
   // Whether an access may see or change what is left out, or change the pulses of the tick.
   [[nodiscard]] virtual bool disturbs(const BusRequest& request) const = 0;
-  // Computes all edges again, after the edge `at`: the begin of a tick (`begun`), or the edge before it. `history`: up
+  // Computes all edges again, after the edge `at`: the start of a tick (`begun`), or the edge before it. `history`: up
   // to `at`.
   virtual void continue_after(Cycles at, const LineHistory& history, bool begun) = 0;
   // The edges of the latest changes of the pulses then; for the drives.

@@ -26,7 +26,7 @@ constexpr std::array<ContextSignal, 8> kContext{{{kDecimal, "top.software.tick[3
                                                  {kBinary, "top.arm_soc.servo_on_o[5:0]"},
                                                  {kBinary, "top.arm_soc.irq_o[2:0]"}}};
 
-constexpr std::size_t kMostSignals = 40;
+constexpr std::size_t kMaxSignals = 40;
 constexpr std::int64_t kBeforePs = 1'400'000;  // shown in front of the cursor: 70 cycles
 constexpr double kFrameLog2Ps = 19;            // 200 pixels of the screen show 2^19 ps, about 26 cycles
 
@@ -47,7 +47,7 @@ std::string gtkwave_view(const WaveDifference& first, std::int64_t unit_ps) {
   text += fmt::format("\n[timestart] {}\n[size] 1500 1000\n[pos] -1 -1\n[sst_width] 230\n[signals_width] 300\n",
                       std::max<std::int64_t>(first.at_ps - kBeforePs, 0) / unit_ps);
   text += "@200\n-they differ at the cursor\n";
-  for (std::size_t i = 0; i < std::min(first.signals.size(), kMostSignals); ++i) {
+  for (std::size_t i = 0; i < std::min(first.signals.size(), kMaxSignals); ++i) {
     const WaveSignal& signal = first.signals[i].signal;
     const int format = is_wave_text(signal) ? kText : signal.bits == 1 ? kBinary : kHexadecimal;
     text += fmt::format("@{}\n[color] 1\n{}{}\n", format, signal.name, signal.range);

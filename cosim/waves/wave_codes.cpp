@@ -5,12 +5,12 @@ namespace {
 
 constexpr char kFirstDigit = '!';
 constexpr std::size_t kDigits = 94;
-constexpr std::size_t kMostDigits = 3;  // 94^3 places are 3 MB
+constexpr std::size_t kMaxDigits = 3;  // 94^3 places are 3 MB
 
 }  // namespace
 
 std::optional<std::size_t> WaveCodes::place(std::string_view code) {
-  if (code.size() > kMostDigits) return std::nullopt;
+  if (code.size() > kMaxDigits) return std::nullopt;
   std::size_t number = 0;
   for (const char c : code) {
     if (c < kFirstDigit || c > '~') return std::nullopt;

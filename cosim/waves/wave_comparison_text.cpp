@@ -12,8 +12,8 @@ namespace armature::cosim {
 namespace {
 
 constexpr std::int64_t kCyclePs = kNsPerCycle * 1'000;
-constexpr std::size_t kMostNamed = 8;  // signals in one list
-constexpr int kNumberBits = 32;        // a longer signal of the software is a text
+constexpr std::size_t kMaxNamed = 8;  // signals in one list
+constexpr int kNumberBits = 32;       // a longer signal of the software is a text
 constexpr int kByteBits = 8;
 
 std::string moment_text(std::int64_t ps) {
@@ -30,20 +30,20 @@ std::string ticks_text(const WaveDifference& first) {
 std::string only_in(const std::string& file, const std::vector<std::string>& names) {
   if (names.empty()) return "";
   std::string list;
-  for (std::size_t i = 0; i < std::min(names.size(), kMostNamed); ++i) list += (i == 0 ? "" : ", ") + names[i];
+  for (std::size_t i = 0; i < std::min(names.size(), kMaxNamed); ++i) list += (i == 0 ? "" : ", ") + names[i];
   return fmt::format("  {} {} only in {}: {}{}\n", names.size(), names.size() == 1 ? "signal" : "signals", file, list,
-                     names.size() > kMostNamed ? ", ..." : "");
+                     names.size() > kMaxNamed ? ", ..." : "");
 }
 
 std::string differing_signals(const WaveComparison& comparison) {
   const std::vector<SignalDifference>& signals = comparison.first->signals;
   std::string text;
-  for (std::size_t i = 0; i < std::min(signals.size(), kMostNamed); ++i) {
+  for (std::size_t i = 0; i < std::min(signals.size(), kMaxNamed); ++i) {
     const auto& [signal, value_a, value_b] = signals[i];
     text += fmt::format("  {}{}: {}: {}, {}: {}\n", signal.name, signal.range, comparison.a,
                         wave_value_text(signal, value_a), comparison.b, wave_value_text(signal, value_b));
   }
-  if (signals.size() > kMostNamed) text += fmt::format("  and {} more signals\n", signals.size() - kMostNamed);
+  if (signals.size() > kMaxNamed) text += fmt::format("  and {} more signals\n", signals.size() - kMaxNamed);
   return text;
 }
 

@@ -189,8 +189,8 @@ std::string_view WaveReader::declaration_word() {
 }
 
 void WaveReader::refuse(std::string_view expected, std::string_view found) const {
-  constexpr std::size_t kMostShown = 40;
-  throw InputError{file(), fmt::format("expected {}, found '{}'", expected, found.substr(0, kMostShown))};
+  constexpr std::size_t kMaxFound = 40;
+  throw InputError{file(), fmt::format("expected {}, found '{}'", expected, found.substr(0, kMaxFound))};
 }
 
 }  // namespace armature::cosim

@@ -20,7 +20,7 @@
 namespace armature::cosim {
 namespace {
 
-constexpr double kMostBeforeMs = 1000;
+constexpr double kMaxBeforeMs = 1000;
 
 std::optional<WaveOutput> named_output(const WaveOptions& options) {
   if (options.vcd) return WaveOutput{.file = *options.vcd, .format = WaveFormat::kVcd};
@@ -88,8 +88,8 @@ void check_wave_options(const WaveOptions& options, bool report) {
     if (given && !wave && !report) throw CLI::ValidationError(option, "needs --vcd, --fst, --wave-on or --report");
   }
   if (options.before_ms && !options.wave_on) throw CLI::ValidationError("--before", "needs --wave-on");
-  if (options.before_ms && !(*options.before_ms >= 0 && *options.before_ms <= kMostBeforeMs)) {
-    throw CLI::ValidationError("--before", "must be a time of 0 to " + number_text(kMostBeforeMs) + " ms");
+  if (options.before_ms && !(*options.before_ms >= 0 && *options.before_ms <= kMaxBeforeMs)) {
+    throw CLI::ValidationError("--before", "must be a time of 0 to " + number_text(kMaxBeforeMs) + " ms");
   }
   for (const auto& [option, time_s] : {std::pair{"--from", options.from_s}, std::pair{"--to", options.to_s}}) {
     if (time_s && !(std::isfinite(*time_s) && *time_s >= 0)) {

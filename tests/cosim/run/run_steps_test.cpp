@@ -79,11 +79,11 @@ TEST(RunSteps, AStepEndsInItsCycle) {
 TEST(RunSteps, TwoRunsThatTakeTurnsGiveWhatTheyGiveAlone) {
   const Scenario lively = lively_scenario(), pendant = pendant_scenario();
   RecordedRun first{lively}, second{pendant}, third{lively};
-  bool goes_on = true;
-  while (goes_on) {
-    goes_on = first.run().advance(first.run().now() + Cycles{911});
-    goes_on |= second.run().advance(second.run().now() + armature::kTickCycles);
-    goes_on |= third.run().advance(third.run().now() + Cycles{50'000});
+  bool continues = true;
+  while (continues) {
+    continues = first.run().advance(first.run().now() + Cycles{911});
+    continues |= second.run().advance(second.run().now() + armature::kTickCycles);
+    continues |= third.run().advance(third.run().now() + Cycles{50'000});
   }
   const RunTexts alone = in_one_go(lively);
   expect_equal(first.finish(), alone);

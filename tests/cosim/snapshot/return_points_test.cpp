@@ -64,7 +64,7 @@ class Forgetful {
   }
   Answer remember(std::int64_t value) { return ask(Order::What::kRemember, value).value(); }
   Answer mark(std::int64_t key) { return ask(Order::What::kMark, key).value(); }
-  // The answer of the mark where it goes on.
+  // The answer of the mark where it continues.
   Answer go_back(std::int64_t key) { return ask(Order::What::kGoBack, key).value(); }
 
  private:

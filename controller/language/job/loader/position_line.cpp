@@ -7,7 +7,7 @@
 namespace armature::job {
 namespace {
 
-constexpr std::size_t kMostDigits = 5;  // of the number
+constexpr std::size_t kMaxPositionDigits = 5;  // of the number
 
 constexpr std::size_t largest_number(PositionLetter letter) noexcept {
   return letter >= PositionLetter::kP ? 255 : 65'534;
@@ -33,7 +33,7 @@ bool PositionLine::read_name() noexcept {
   if (!letter) return fail(0, "expected a position: C, BC, EC, P, BP or EX and a number");
   std::uint32_t number = 0;
   const std::size_t digits = at_;
-  for (; at_ < line_.size() && is_digit(line_[at_]) && at_ < digits + kMostDigits; ++at_) {
+  for (; at_ < line_.size() && is_digit(line_[at_]) && at_ < digits + kMaxPositionDigits; ++at_) {
     number = 10 * number + static_cast<std::uint32_t>(line_[at_] - '0');
   }
   if (at_ == digits) return fail(at_, "expected the number of the position");
