@@ -127,7 +127,7 @@ def everything(session: Session):
     """tools/test --all: everything, in half an hour."""
     session.gate("style", lambda: command([ROOT / "tools/style"]))
     environment = {**with_rs274(), **EVERY_ENGINE}
-    if session.gate(BUILD, lambda: build(TEST, ["without_unit_tests", "recorded_gates"])):
+    if session.gate(BUILD, lambda: build(TEST, ["without_unit_tests", "recorded_gates", "benchmarks"])):
         groups = ["scenarios", "command line and page", "long tests", ctest.OTHERS]
         tests(session, groups, unit_tests(), environment)
         session.gate("recorded gates", lambda: recorded_gates(Records.run_all))

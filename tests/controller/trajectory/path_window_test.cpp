@@ -174,7 +174,7 @@ TEST_P(PathWindow, TenThousandShortLinesRunAtTheirSpeed) {
 TEST_P(PathWindow, ALateSupplyStopsOnThePathAndGoesOn) {
   std::size_t rests = 0, late = 0, refused = 0, switches = 0;
   // The planning of an S-curve takes longer.
-  const auto rounds = static_cast<std::uint64_t>(test::draws(smooth() ? 24 : 60));
+  const auto rounds = static_cast<std::uint64_t>(test::draws(smooth() ? 10 : 40));
   for (std::uint64_t round = 0; round < rounds; ++round) {
     Random random{700 + round};
     const auto rig = std::make_unique<PathRig>(test::irb120());
