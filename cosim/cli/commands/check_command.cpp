@@ -33,6 +33,7 @@
 #include "cosim/page/index_page.hpp"
 #include "cosim/report/format/fact_lines.hpp"
 #include "cosim/report/format/junit.hpp"
+#include "cosim/report/format/moment_wave_text.hpp"
 #include "cosim/report/format/progress_bar.hpp"
 #include "cosim/report/format/summary_text.hpp"
 #include "cosim/run/engine_waves.hpp"
@@ -90,9 +91,9 @@ struct FailureFiles {
 std::string wave_of_failure(const Scenario& scenario, const RunSummary& summary, const FailureFiles& files) {
   if (!files.wave || summary.passed()) return {};
   const WaveFormat format = preferred_format();
-  const MomentWaveNote note = write_moment_wave(
-      {*files.wave, {.file = failure_wave(files.kept, format), .format = format}}, {scenario, summary, interrupted});
-  return fmt::format("{}: {}\n", note.label(), note.text);
+  const MomentWaveText wave = moment_wave_text(write_moment_wave(
+      {*files.wave, {.file = failure_wave(files.kept, format), .format = format}}, {scenario, summary, interrupted}));
+  return fmt::format("{}: {}\n", wave.label, wave.text);
 }
 
 // Runs and judges one scenario. Returns nothing if the run was interrupted. `options`: what the user adds to repeat it.

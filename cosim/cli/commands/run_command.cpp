@@ -22,6 +22,7 @@
 #include "cosim/cli/run/report_file.hpp"
 #include "cosim/golden/golden.hpp"
 #include "cosim/report/format/json/summary_json.hpp"
+#include "cosim/report/format/moment_wave_text.hpp"
 #include "cosim/report/format/summary_text.hpp"
 #include "cosim/scenario/files/scenario_loader.hpp"
 #include "cosim/text/input_error.hpp"
@@ -146,7 +147,10 @@ int run(const RunOptions& given, const SearchPath& path) {
   std::cout << engine_waves_text(summary, out);
   if (reported) std::cout << fmt::format("report         {}\n", printable((out / kReportFile).string(), kShowAll));
   if (given.report && !reported) std::cout << kNoReport;
-  std::cout << summary.wave_note;
+  if (summary.moment_wave) {
+    const MomentWaveText wave = moment_wave_text(*summary.moment_wave);
+    std::cout << fmt::format("{:<14} {}\n", wave.label, wave.text);
+  }
   const bool shown = given.report && (options.wave || options.moment_wave);
   if (!summary.passed() && !summary.interrupted && !given.serial && !shown) {
     const NextCommand next = summary.engine_waves_written

@@ -1,7 +1,5 @@
 #include "cosim/cli/run/scenario_run.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
 #include <iostream>
@@ -93,9 +91,8 @@ RunSummary run_scenario(const Scenario& scenario, const ScenarioRunOptions& opti
     ended.snapshots = snapshots ? &*snapshots : nullptr;
     if (options.serial_peer != nullptr) ended.heard = options.serial_log;
     ended.show_progress = options.show_progress;
-    const MomentWaveNote note = write_moment_wave(*options.moment_wave, ended);
-    summary.wave_written = note.written;
-    summary.wave_note = fmt::format("{:<14} {}\n", note.label(), note.text);
+    summary.moment_wave = write_moment_wave(*options.moment_wave, ended);
+    summary.wave_written = summary.moment_wave->written();
   }
   return summary;
 }

@@ -4,14 +4,14 @@
 
 #include <algorithm>
 #include <iostream>
+#include <string>
 #include <string_view>
+#include <utility>
 
 #include "cosim/report/format/progress_bar.hpp"
 #include "cosim/run/progress_listener.hpp"
 #include "cosim/serial/serial_log.hpp"
-#include "cosim/text/printable.hpp"
 #include "cosim/text/text_file.hpp"
-#include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -36,8 +36,8 @@ std::string_view what_was_not(WaveReason reason) {
   return "no row of the run differs from the golden";
 }
 
-MomentWaveNote no_wave(const WaveOutput& output, std::string_view why) {
-  return {.text = fmt::format("{} is not written: {}", printable(output.file.string(), kShowAll), why)};
+MomentWaveResult no_wave(const WaveOutput& output, std::string why) {
+  return {.file = output.file.string(), .why_not = std::move(why)};
 }
 
 Cycles run_again(const MomentWaveRequest& request, const EndedRun& first, const WaveSpan& span) {
@@ -56,7 +56,7 @@ Cycles run_again(const MomentWaveRequest& request, const EndedRun& first, const 
 
 }  // namespace
 
-MomentWaveNote write_moment_wave(const MomentWaveRequest& request, const EndedRun& run) {
+MomentWaveResult write_moment_wave(const MomentWaveRequest& request, const EndedRun& run) {
   const auto& [wanted, output] = request;
   const bool ordered = run.snapshots != nullptr && run.snapshots->ordered();
   const std::optional<WaveMoment> moment = ordered ? run.snapshots->ordered() : shown_moment(wanted, run.summary);
@@ -70,9 +70,7 @@ MomentWaveNote write_moment_wave(const MomentWaveRequest& request, const EndedRu
   if (!end && run.stop_requested()) return no_wave(output, "the run was interrupted");
   span.to = end ? *end : run_again(request, run, span);
   if (span.to < span.from) return no_wave(output, "it was interrupted");
-  return {.written = true,
-          .text = fmt::format("{}: {:.6f} s to {:.6f} s, of {} at {:.6f} s", printable(output.file.string(), kShowAll),
-                              to_seconds(span.from), to_seconds(span.to), moment->what, to_seconds(moment->to))};
+  return {.file = output.file.string(), .moment = moment->what, .at = moment->to, .from = span.from, .to = span.to};
 }
 
 }  // namespace armature::cosim

@@ -4,9 +4,8 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
-#include <string>
-#include <string_view>
 
+#include "cosim/report/judge/moment_wave.hpp"
 #include "cosim/report/judge/run_summary.hpp"
 #include "cosim/rewind/wave_moment.hpp"
 #include "cosim/rewind/wave_snapshots.hpp"
@@ -24,14 +23,8 @@ struct EndedRun {
   bool show_progress = false;                    // on stderr, if that is a terminal
 };
 
-struct MomentWaveNote {
-  bool written = false;
-  std::string text;  // where the waveform is and what it shows, or why there is none
-  [[nodiscard]] std::string_view label() const { return written ? "waveform" : "no waveform"; }
-};
-
 // Writes the waveform. Without snapshots it runs the scenario again up to the moment, on the RTL if the engine was the
 // model. Throws std::runtime_error when the file cannot be written.
-[[nodiscard]] MomentWaveNote write_moment_wave(const MomentWaveRequest& request, const EndedRun& run);
+[[nodiscard]] MomentWaveResult write_moment_wave(const MomentWaveRequest& request, const EndedRun& run);
 
 }  // namespace armature::cosim

@@ -14,6 +14,7 @@
 #include "cosim/report/facts/fact.hpp"
 #include "cosim/report/judge/expect_failure.hpp"
 #include "cosim/report/judge/expect_result.hpp"
+#include "cosim/report/judge/moment_wave.hpp"
 #include "cosim/report/measure/run_facts.hpp"
 #include "cosim/robot/robot_spec.hpp"
 #include "cosim/scenario/scenario.hpp"
@@ -36,15 +37,15 @@ struct RunSummary {
   Variant variant = Variant::kCounts;
   Engine engine = Engine::kRtl;
   RunFacts facts;
-  std::optional<std::string> failure;        // invariant, bus error, RTL assertion: what ended the run early
-  std::optional<Cycles> engines_differ_at;   // the cycle, if `failure` is a difference of engines in lock-step
-  bool interrupted = false;                  // by the user; such a run is not judged
-  std::string program_end;                   // an end of the program that ended the run early; empty: none did
-  bool engine_waves_written = false;         // the waveforms of both engines around engines_differ_at
-  bool wave_written = false;                 // a waveform was requested and its window has begun
-  std::string wave_note;                     // a line for the screen about the waveform of --wave-on; may be empty
-  std::size_t serial_unsent = 0;             // characters and breaks that still waited for the controller at the end
-  std::vector<ExpectResult> expect_results;  // of the keys that the scenario states
+  std::optional<std::string> failure;           // invariant, bus error, RTL assertion: what ended the run early
+  std::optional<Cycles> engines_differ_at;      // the cycle, if `failure` is a difference of engines in lock-step
+  bool interrupted = false;                     // by the user; such a run is not judged
+  std::string program_end;                      // an end of the program that ended the run early; empty: none did
+  bool engine_waves_written = false;            // the waveforms of both engines around engines_differ_at
+  bool wave_written = false;                    // a waveform was requested and its window has begun
+  std::optional<MomentWaveResult> moment_wave;  // of --wave-on
+  std::size_t serial_unsent = 0;                // characters and breaks that still waited for the controller at the end
+  std::vector<ExpectResult> expect_results;     // of the keys that the scenario states
   std::vector<ExpectFailure> expect_failures;
   GoldenCheck golden;
 

@@ -51,6 +51,11 @@ class WaveOn(Program):
         self.assertAlmostEqual(float(end_s), float(at_s) + 0.001, places=6)
         # To the cycle: the times of the screen are rounded.
         at = self.cycle_of_fault("out")
+        wave = json.loads((self.folder / "out" / "summary.json").read_text())["waveform"]
+        self.assertEqual((wave["file"], wave["written"], wave["moment"]), ("w.vcd", True, "the fault estop"))
+        self.assertEqual(
+            [round(wave[key] * 50e6) for key in ("at_s", "from_s", "to_s")], [at, at - 100_000, at + 50_000]
+        )
         self.assert_plain_wave("w.vcd", scenario, (at - 100_000) / 50e6, (at + 50_000) / 50e6, *BRIEF)
 
     def test_the_results_are_those_of_a_run_without_it(self):
@@ -120,6 +125,9 @@ class WaveOn(Program):
         done = self.armature(*run, "--from", "0.02", code=1)
         self.assertRegex(done.stdout, r"(?m)^no waveform    out/failure\.fst is not written: .*no fault in this time$")
         self.assertFalse((self.folder / file).exists(), "that of the earlier run")
+        wave = json.loads(self.armature(*run, "--from", "0.02", "--json", code=1).stdout)["waveform"]
+        self.assertEqual((wave["file"], wave["written"]), (file, False))
+        self.assertIn("no fault in this time", wave["why_not"])
         # Without the converter it is a VCD file.
         (self.folder / "bin").mkdir()
         (self.folder / "bin/sh").symlink_to("/bin/sh")

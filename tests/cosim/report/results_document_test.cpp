@@ -121,6 +121,7 @@ RunSummary everything() {
   summary.arm.kinematics = KinematicsSpec{.family = std::string{kSixRFamily}};
   summary.expect_results = {{"underruns", "0", "5"}};
   summary.expect_failures = {{"underruns", "0", "5"}};
+  summary.moment_wave.emplace();
   RunFacts& facts = summary.facts;
   facts.faults.push_back({FaultCause::kEncoder, {.tick = 0, .at = Cycles{1}, .axis = 1}});
   for_each_kind<FaultKind>([&]<class Kind>(std::type_identity<Kind>) {

@@ -5,6 +5,7 @@
 #include "cosim/report/format/json/event_json.hpp"
 #include "cosim/report/format/json/fact_json.hpp"
 #include "cosim/text/names.hpp"
+#include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -67,10 +68,21 @@ Json result_json(const RunSummary& summary) {
   return result;
 }
 
+Json wave_json(const MomentWaveResult& wave) {
+  const auto if_written = [&](auto value) { return wave.written() ? Json(value) : Json(nullptr); };
+  return {{"file", wave.file},
+          {"written", wave.written()},
+          {"why_not", wave.written() ? Json(nullptr) : Json(wave.why_not)},
+          {"moment", if_written(wave.moment)},
+          {"at_s", if_written(to_seconds(wave.at))},
+          {"from_s", if_written(to_seconds(wave.from))},
+          {"to_s", if_written(to_seconds(wave.to))}};
+}
+
 }  // namespace
 
 std::string summary_json(const RunSummary& summary) {
-  const Json document = {
+  Json document = {
       {"scenario", summary.scenario},
       {"description", summary.description},
       {"robot", summary.robot},
@@ -88,6 +100,7 @@ std::string summary_json(const RunSummary& summary) {
         {"real_time_factor", summary.real_time_factor()},
         {"whole_ticks", summary.host.whole_ticks}}},
   };
+  if (summary.moment_wave) document["waveform"] = wave_json(*summary.moment_wave);
   return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
