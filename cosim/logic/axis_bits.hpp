@@ -5,7 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "controller/base/axes.hpp"
+
 namespace armature::cosim {
+
+inline constexpr std::uint8_t kAllAxes = (1u << kAxes) - 1;
 
 [[nodiscard]] constexpr std::uint8_t bit_of(std::size_t axis) {
   return static_cast<std::uint8_t>(1u << axis);

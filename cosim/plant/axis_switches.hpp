@@ -2,7 +2,8 @@
 // its range: the home switch between two angles, a limit switch from its angle to the end of the travel.
 #pragma once
 
-#include <array>
+#include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "controller/base/units.hpp"
@@ -12,27 +13,60 @@ namespace armature::cosim {
 
 class AxisSwitches {
  public:
-  AxisSwitches(const AxisSpec& spec, double joint_deg_per_count)
-      : home_deg_{spec.home_switch_deg}, limits_deg_{spec.limit_switch_deg}, deg_per_count_{joint_deg_per_count} {}
+  AxisSwitches(const AxisSpec& spec, double joint_deg_per_count) {
+    constexpr double kEnd = std::numeric_limits<double>::infinity();
+    if (const auto& deg = spec.home_switch_deg) home_ = counts_between(deg->front(), deg->back(), joint_deg_per_count);
+    if (const auto& deg = spec.limit_switch_deg) {
+      limit_neg_ = counts_between(-kEnd, deg->front(), joint_deg_per_count);
+      limit_pos_ = counts_between(deg->back(), kEnd, joint_deg_per_count);
+    }
+  }
 
-  // Whether every switch has one level at all counts between the two, which are not far apart.
+  // Whether every switch has one level at all counts between the two.
   [[nodiscard]] bool are_steady(Counts from, Counts to) const {
-    return home(from) == home(to) && limit_neg(from) == limit_neg(to) && limit_pos(from) == limit_pos(to) &&
-           (!home_deg_ || home(from) || (deg(from) < home_deg_->front()) == (deg(to) < home_deg_->front()));
+    return home_.is_steady(from, to) && limit_neg_.is_steady(from, to) && limit_pos_.is_steady(from, to);
   }
 
-  [[nodiscard]] bool home(Counts count) const {
-    return home_deg_ && deg(count) >= home_deg_->front() && deg(count) <= home_deg_->back();
-  }
-  [[nodiscard]] bool limit_neg(Counts count) const { return limits_deg_ && deg(count) <= limits_deg_->front(); }
-  [[nodiscard]] bool limit_pos(Counts count) const { return limits_deg_ && deg(count) >= limits_deg_->back(); }
+  [[nodiscard]] bool home(Counts count) const { return home_.has(count); }
+  [[nodiscard]] bool limit_neg(Counts count) const { return limit_neg_.has(count); }
+  [[nodiscard]] bool limit_pos(Counts count) const { return limit_pos_.has(count); }
 
  private:
-  [[nodiscard]] double deg(Counts count) const { return static_cast<double>(count.value()) * deg_per_count_; }
+  static constexpr std::int64_t kFar = std::int64_t{1} << 40;  // further than Subcounts reach
 
-  std::optional<std::array<double, 2>> home_deg_;
-  std::optional<std::array<double, 2>> limits_deg_;
-  double deg_per_count_;
+  // The counts at which a switch is active; none if `first` is behind `last`.
+  struct Range {
+    Counts first{kFar};
+    Counts last{-kFar};
+
+    [[nodiscard]] bool has(Counts count) const { return count >= first && count <= last; }
+    [[nodiscard]] bool is_steady(Counts a, Counts b) const {
+      return (a < first) == (b < first) && (a > last) == (b > last);
+    }
+  };
+
+  // The counts whose angle, as a double, is between the two.
+  static Range counts_between(double first_deg, double last_deg, double deg_per_count) {
+    const std::int64_t sign = deg_per_count < 0 ? -1 : +1;
+    const auto deg = [&](std::int64_t count) { return static_cast<double>(sign * count) * deg_per_count; };
+    const std::int64_t first = first_count([&](std::int64_t count) { return deg(count) >= first_deg; });
+    const std::int64_t last = first_count([&](std::int64_t count) { return deg(count) > last_deg; }) - 1;
+    if (sign < 0) return {Counts{-last}, Counts{-first}};
+    return {Counts{first}, Counts{last}};
+  }
+
+  // The first count at which `is_reached`, which stays true from there on.
+  template <class IsReached>
+  static std::int64_t first_count(IsReached is_reached) {
+    std::int64_t before = -kFar, reached = kFar;
+    while (reached - before > 1) {
+      const std::int64_t middle = before + (reached - before) / 2;
+      (is_reached(middle) ? reached : before) = middle;
+    }
+    return reached;
+  }
+
+  Range home_, limit_neg_, limit_pos_;
 };
 
 }  // namespace armature::cosim

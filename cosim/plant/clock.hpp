@@ -14,6 +14,11 @@ inline constexpr std::int64_t kPlantClockHz = kClkFreqHz;
 
 // Motors are integrated on the grid of multiples of this: 5 us, ten steps per 50 us tick.
 inline constexpr Cycles kPlantStep{250};
+// The first cycle of the grid that is not before `at`, which is not negative.
+[[nodiscard]] constexpr Cycles grid_from(Cycles at) {
+  const std::int64_t step = kPlantStep.value();
+  return Cycles{(at.value() + step - 1) / step * step};
+}
 inline constexpr double kPlantStepSeconds =
     static_cast<double>(kPlantStep.value()) / static_cast<double>(kPlantClockHz);
 

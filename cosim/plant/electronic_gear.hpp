@@ -25,7 +25,13 @@ class ElectronicGear {
     remainder_ += count * counts_per_rev_;
     const std::int64_t turns = remainder_ / pulses_per_rev_ - (remainder_ % pulses_per_rev_ < 0 ? 1 : 0);
     whole_ += turns;
-    remainder_ -= turns * pulses_per_rev_;
+    set_remainder(remainder_ - turns * pulses_per_rev_);
+  }
+  // As it is after so many more pulses.
+  [[nodiscard]] ElectronicGear after(std::int64_t count) const {
+    ElectronicGear gear = *this;
+    gear.pulses(count);
+    return gear;
   }
 
   // Counts by which one pulse moves the reference.
@@ -36,20 +42,24 @@ class ElectronicGear {
   // Sets the reference to a whole count.
   void set(std::int64_t counts) {
     whole_ = counts;
-    remainder_ = 0;
+    set_remainder(0);
   }
 
   [[nodiscard]] std::int64_t whole() const { return whole_; }          // floor of the reference
   [[nodiscard]] std::int64_t remainder() const { return remainder_; }  // 0 .. pulses_per_rev - 1
-  [[nodiscard]] double fraction() const {                              // 0 .. below 1
-    return static_cast<double>(remainder_) / static_cast<double>(pulses_per_rev_);
-  }
+  [[nodiscard]] double fraction() const { return fraction_; }          // 0 .. below 1
 
  private:
+  void set_remainder(std::int64_t remainder) {
+    remainder_ = remainder;
+    fraction_ = static_cast<double>(remainder) / static_cast<double>(pulses_per_rev_);
+  }
+
   std::int64_t counts_per_rev_;
   std::int64_t pulses_per_rev_;
   std::int64_t whole_ = 0;
   std::int64_t remainder_ = 0;
+  double fraction_ = 0.0;
 };
 
 }  // namespace armature::cosim

@@ -1,8 +1,11 @@
 // Mechanics of axes that do not act on each other: each motor with its inertia under its own position loop.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
+#include "controller/base/axes.hpp"
 #include "cosim/plant/mechanics.hpp"
 #include "cosim/plant/position_loop.hpp"
 #include "cosim/robot/robot_spec.hpp"
@@ -14,10 +17,17 @@ class IndependentAxes final : public Mechanics {
   // Throws std::invalid_argument when a motor cannot be built.
   explicit IndependentAxes(const RobotSpec& robot);
 
-  std::uint8_t step(std::uint8_t axes, const PerAxis<MotorDemand>& demands, PerAxis<Shaft>& shafts) override;
+  std::uint8_t step(std::uint8_t axes, const MotorDemands& demands, Shafts& shafts) override;
 
  private:
+  // Makes a step of every axis that is within its limits. Returns the others, one bit each.
+  [[nodiscard]] std::uint8_t step_within_limits(Shafts& shafts) const;
+  void step_alone(std::size_t axis, bool controlled, Shafts& shafts) const;
+
   std::vector<PositionLoop> motors_;  // kAxes
+  // Their numbers, each for all axes.
+  PerAxis<double> error_by_error_, error_by_speed_, speed_by_error_, speed_by_speed_;
+  PerAxis<double> max_accel_, max_speed_, rest_speed_;
 };
 
 }  // namespace armature::cosim

@@ -1,9 +1,11 @@
 // Moves six shafts according to the demands of six drives. In an implementation the axes may act on each other.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "controller/base/axes.hpp"
+#include "cosim/logic/axis_bits.hpp"
 
 namespace armature::cosim {
 
@@ -18,10 +20,33 @@ struct Shaft {
   [[nodiscard]] bool at_rest() const { return error == 0.0 && speed == 0.0; }
 };
 
+// All shafts, so arranged that one instruction can move several.
+struct Shafts {
+  PerAxis<double> error{};
+  PerAxis<double> speed{};
+
+  [[nodiscard]] Shaft operator[](std::size_t axis) const { return {error[axis], speed[axis]}; }
+  void set(std::size_t axis, const Shaft& shaft) {
+    error[axis] = shaft.error;
+    speed[axis] = shaft.speed;
+  }
+};
+
 // Demand of a drive to its motor for one step. The reference is constant during the step.
 struct MotorDemand {
   bool controlled = false;  // to the reference; false: the windings are shorted, a brake
   double reference = 0.0;   // [counts] from joint angle 0; Shaft::error is measured from here
+};
+
+// Of all drives.
+struct MotorDemands {
+  std::uint8_t controlled = 0;  // one bit per axis
+  PerAxis<double> reference{};
+
+  void set(std::size_t axis, const MotorDemand& demand) {
+    set_bit(controlled, axis, demand.controlled);
+    reference[axis] = demand.reference;
+  }
 };
 
 class Mechanics {
@@ -30,7 +55,7 @@ class Mechanics {
 
   // Moves the shafts by one step (kPlantStep). `axes`: those that need it, one bit each, axis 1 is bit 0; the others
   // rest and their drives have no new demand. Returns the axes whose shafts it has stepped: at least `axes`.
-  virtual std::uint8_t step(std::uint8_t axes, const PerAxis<MotorDemand>& demands, PerAxis<Shaft>& shafts) = 0;
+  virtual std::uint8_t step(std::uint8_t axes, const MotorDemands& demands, Shafts& shafts) = 0;
 };
 
 }  // namespace armature::cosim

@@ -11,13 +11,6 @@
 #include "cosim/plant/make_mechanics.hpp"
 
 namespace armature::cosim {
-namespace {
-
-constexpr Cycles next_grid_cycle(Cycles now) {
-  return Cycles{(now.value() / kPlantStep.value() + 1) * kPlantStep.value()};
-}
-
-}  // namespace
 
 Plant::Plant(const RobotSpec& robot, std::optional<Cycles> drop_out, const PerAxis<double>& start_deg)
     : Plant{robot, make_mechanics(robot), drop_out, start_deg} {}
@@ -60,12 +53,14 @@ void Plant::drive_pins(Cycles now, const SocOutputs& out) {
   seen_ = out;
   for_each_bit(changed, [&](std::size_t axis) {
     ServoDrive& drive = drives_[axis];
-    drive.on_pins(now, has_bit(out.step, axis), has_bit(out.dir, axis), has_bit(out.servo_on, axis), shafts_[axis]);
+    Shaft shaft = shafts_[axis];
+    drive.on_pins(now, has_bit(out.step, axis), has_bit(out.dir, axis), has_bit(out.servo_on, axis), shaft);
+    shafts_.set(axis, shaft);
     if (drive.violation() && !violation_) violation_ = drive.violation();
     if (!drive.idle()) moving_ |= bit_of(axis);
   });
   if (moving_ != 0 && next_step_ == kNever) {
-    next_step_ = next_grid_cycle(now);
+    next_step_ = grid_from(now + Cycles{1});
     next_event_ = std::min(next_event_, next_step_);
   }
 }

@@ -111,8 +111,8 @@ class Plant {
   // seen yet.
   template <class Move>
   void step_mechanics(Move move) {
-    PerAxis<MotorDemand> demands;
-    for (std::size_t axis = 0; axis < kAxes; ++axis) demands[axis] = drives_[axis].demand();
+    MotorDemands demands;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) demands.set(axis, drives_[axis].demand());
     for_each_bit(mechanics_->step(moving_, demands, shafts_), [&](std::size_t axis) {
       ServoDrive& drive = drives_[axis];
       drive.observe(shafts_[axis]);
@@ -125,16 +125,18 @@ class Plant {
 
   [[nodiscard]] bool can_leave_out(const TickPulses& tick) const;
   bool run_steps(const TickPulses& tick, Cycles spacing);
-  bool take_pulses(const TickPulses& tick, Cycles until, PerAxis<std::int32_t>& taken);
-  bool step_without_edges(Cycles now, Cycles spacing);
   bool finishes_step(Cycles now, Cycles spacing);
   [[nodiscard]] bool has_levels_of_inputs(std::size_t axis) const;
+  bool follow_steps(std::size_t axis, Cycles spacing);
+  bool follow_one_way(std::size_t axis, Subcounts target);
+  bool follow_each_step(std::size_t axis, Cycles spacing);
   bool shows_no_more_than_lines(std::size_t axis, Counts from, Cycles now, Cycles spacing);
+  bool passes_index(std::size_t axis, Counts from, Counts to);
   [[nodiscard]] CountRange counts_in_tick(std::size_t axis, Cycles from) const;
 
   std::vector<ServoDrive> drives_;  // kAxes, and so on
   std::unique_ptr<Mechanics> mechanics_;
-  PerAxis<Shaft> shafts_;
+  Shafts shafts_;
   std::vector<IncrementalEncoder> encoders_;
   std::vector<AxisSwitches> switches_;
   PerAxis<double> joint_deg_per_count_;

@@ -8,10 +8,8 @@
 namespace armature::cosim {
 namespace {
 
-constexpr Cycles grid_from(Cycles at) {
-  const std::int64_t step = kPlantStep.value();
-  return Cycles{(at.value() + step - 1) / step * step};
-}
+// A way of at least so many counts in a step is one way: rounding to subcounts cannot turn it.
+constexpr double kOneWay = 0x1.0p-20;
 
 }  // namespace
 
@@ -28,7 +26,8 @@ bool Plant::begin_tick(const TickPulses& tick, Cycles spacing) {
     }
   }
   PlantTicks::State& begin = ticks_->begin;
-  begin.drives = drives_;
+  begin.drives.clear();
+  for (const ServoDrive& drive : drives_) begin.drives.push_back(drive.state());
   begin.shafts = shafts_;
   begin.moving = moving_;
   for (std::size_t axis = 0; axis < kAxes; ++axis) begin.motions[axis] = encoders_[axis].motions();
@@ -52,6 +51,8 @@ bool Plant::finishes_step(Cycles now, Cycles spacing) {
 
 bool Plant::can_leave_out(const TickPulses& tick) const {
   if (!ticks_ && next_step_ != kNever && next_step_ != grid_from(tick.begins)) return false;
+  if ((tick.ends - tick.begins).value() > kPlantStep.value() * static_cast<std::int64_t>(TickSteps::kMost))
+    return false;
   if (drop_out_ && (drop_out_->is_open() || drop_out_->opens_at() <= tick.ends)) return false;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const ServoDrive& drive = drives_[axis];
@@ -61,57 +62,96 @@ bool Plant::can_leave_out(const TickPulses& tick) const {
 }
 
 void Plant::revert_tick() {
-  drives_ = ticks_->begin.drives;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) drives_[axis].set_state(ticks_->begin.drives[axis]);
   shafts_ = ticks_->begin.shafts;
   moving_ = ticks_->begin.moving;
   for (std::size_t axis = 0; axis < kAxes; ++axis) encoders_[axis].set_motions(ticks_->begin.motions[axis]);
   if (ticks_->first) ticks_.reset();
 }
 
-// The steps that begin in the tick. Pulses after the last one belong to the first step of the next tick.
 bool Plant::run_steps(const TickPulses& tick, Cycles spacing) {
-  PerAxis<std::int32_t> taken{};
-  for (Cycles now = grid_from(tick.begins); now < tick.ends; now += kPlantStep) {
-    const bool rested = moving_ == 0;
-    const bool before = rested && take_pulses(tick, now - Cycles{1}, taken);
-    take_pulses(tick, now, taken);
-    // A pulse at the very cycle of the step ends the rest. The first step then comes later.
-    if (moving_ == 0 || (rested && !before)) continue;
-    if (!step_without_edges(now, spacing)) return false;
+  TickSteps& steps = ticks_->steps;
+  steps.run(tick, drives_, moving_, *mechanics_, shafts_);
+  bool fine = true;
+  for_each_bit(steps.moved(),
+               [&](std::size_t axis) { fine = fine && has_levels_of_inputs(axis) && follow_steps(axis, spacing); });
+  if (!fine) return false;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    const std::int32_t pulses = tick.axes[axis].count;
+    if (pulses == 0 && !has_bit(steps.moved(), axis)) continue;
+    ServoDrive& drive = drives_[axis];
+    const Shaft shaft = shafts_[axis];
+    drive.skip(pulses, has_bit(inputs_.in_position, axis), drive.enabled() ? !shaft.at_rest() : !shaft.stands());
+    set_bit(moving_, axis, !drive.idle());
   }
-  take_pulses(tick, tick.ends - Cycles{1}, taken);
   return true;
 }
 
-// Those that rise up to the cycle `until`. Returns whether there is one.
-bool Plant::take_pulses(const TickPulses& tick, Cycles until, PerAxis<std::int32_t>& taken) {
-  bool any = false;
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    const AxisPulses& pulses = tick.axes[axis];
-    if (pulses.count == 0) continue;
-    const std::int32_t rises = pulses.rises_until(until);
-    const std::int32_t more = rises - std::exchange(taken[axis], rises);
-    if (more == 0) continue;
-    drives_[axis].take(pulses.count < 0 ? -more : more, shafts_[axis]);
-    moving_ |= bit_of(axis);
-    any = true;
-  }
-  return any;
-}
-
-bool Plant::step_without_edges(Cycles now, Cycles spacing) {
-  bool fine = true;
-  step_mechanics([&](std::size_t axis, Subcounts position) {
-    encoders_[axis].move_without_edges(now, kPlantStep, position);
-    const Counts from = nearest_count(encoders_[axis].start());
-    fine = fine && has_levels_of_inputs(axis) && shows_no_more_than_lines(axis, from, now, spacing);
-  });
-  return fine;
-}
-
+// In all steps of the tick.
 bool Plant::has_levels_of_inputs(std::size_t axis) const {
-  return drives_[axis].alarm() == has_bit(inputs_.drive_alarm, axis) &&
-         drives_[axis].in_position() == has_bit(inputs_.in_position, axis);
+  const ServoDrive& drive = drives_[axis];
+  const bool in_position = has_bit(inputs_.in_position, axis);
+  if (has_bit(inputs_.drive_alarm, axis)) return false;
+  if (!drive.enabled()) return !in_position;
+  const TickSteps::Extremes& seen = ticks_->steps.extremes();
+  if (seen.largest_error[axis] > drive.alarm_error()) return false;
+  return in_position ? seen.largest_error[axis] < ServoDrive::kInPositionCounts
+                     : seen.smallest_error[axis] >= ServoDrive::kInPositionCounts;
+}
+
+// Moves the encoder through the steps of the tick. Returns whether only lines may change.
+bool Plant::follow_steps(std::size_t axis, Cycles spacing) {
+  const TickSteps& steps = ticks_->steps;
+  const double least = steps.extremes().least_way[axis], most = steps.extremes().most_way[axis];
+  const bool forward = least >= kOneWay;
+  if (!forward && most > -kOneWay) return follow_each_step(axis, spacing);
+  const double fastest = (forward ? most : -least) + kOneWay;
+  if (fastest * static_cast<double>(spacing.value() + 1) > static_cast<double>(kPlantStep.value())) {
+    return follow_each_step(axis, spacing);
+  }
+  if ((forward ? +1 : -1) != ticks_->direction[axis]) return follow_each_step(axis, spacing);
+  return follow_one_way(axis, steps.position(steps.size() - 1, axis, drives_[axis].gear()));
+}
+
+bool Plant::follow_each_step(std::size_t axis, Cycles spacing) {
+  IncrementalEncoder& encoder = encoders_[axis];
+  const TickSteps& steps = ticks_->steps;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    encoder.move_without_edges(steps.began(i), kPlantStep, steps.position(i, axis, drives_[axis].gear()));
+    if (!shows_no_more_than_lines(axis, nearest_count(encoder.start()), steps.began(i), spacing)) return false;
+  }
+  return true;
+}
+
+// The same for a motion in the direction of the latest count, which is not too fast: only its last steps are looked at.
+bool Plant::follow_one_way(std::size_t axis, Subcounts target) {
+  IncrementalEncoder& encoder = encoders_[axis];
+  const TickSteps& steps = ticks_->steps;
+  IncrementalEncoder::Motions motions = encoder.motions();
+  const IncrementalEncoder::Motion latest = motions.present;
+  const Counts from = nearest_count(latest.target), to = nearest_count(target);
+  if (!switches_[axis].are_steady(from, to) || !passes_index(axis, from, to)) return false;
+
+  const IncrementalEncoder::Motion counted = motions.counted;
+  int found = 0;
+  motions.before = latest;
+  for (std::size_t i = steps.size(); i-- > 0;) {
+    const Subcounts start = i == 0 ? latest.target : steps.position(i - 1, axis, drives_[axis].gear());
+    const IncrementalEncoder::Motion motion{
+        .from = steps.began(i), .length = kPlantStep, .start = start, .target = target};
+    if (i + 1 == steps.size()) motions.present = motion;
+    if (i + 2 == steps.size()) motions.before = motion;
+    if (nearest_count(start) != nearest_count(target)) {
+      (found == 0 ? motions.counted : motions.counted_before) = motion;
+      if (found++ == 0) ticks_->changed_in[axis] = motion.from;
+    }
+    const bool enough = found == 2 || nearest_count(start) == from;
+    if (enough && i + 2 <= steps.size()) break;
+    target = start;
+  }
+  if (found == 1) motions.counted_before = counted;
+  encoder.set_motions(motions);
+  return true;
 }
 
 // From the count `from` to the end of the step that begins now, or that has begun before.
@@ -128,14 +168,20 @@ bool Plant::shows_no_more_than_lines(std::size_t axis, Counts from, Cycles now, 
   if (turned && now - before <= kPlantStep) return false;
   if (!switches_[axis].are_steady(from, to)) return false;
 
-  // The index comes with the first multiple of a revolution that is reached.
-  const std::int64_t turn = encoder.counts_per_rev();
+  return passes_index(axis, from, to);
+}
+
+// The index comes with a multiple of a revolution that is reached. Returns false if it comes again in the tick.
+bool Plant::passes_index(std::size_t axis, Counts from, Counts to) {
+  if (from == to) return true;
+  const std::int64_t turn = encoders_[axis].counts_per_rev();
+  const int direction = to > from ? +1 : -1;
   const std::int64_t ahead = to.value() * direction % turn;  // counts since the latest multiple, in the direction
   const std::int64_t since = ahead < 0 ? ahead + turn : ahead;
-  if (since < std::abs((to - from).value())) {
-    if (ticks_->index[axis]) return false;
-    ticks_->index[axis] = to - Counts{direction * since};
-  }
+  const std::int64_t way = std::abs((to - from).value());
+  if (since >= way) return true;
+  if (ticks_->index[axis] || since + turn < way) return false;
+  ticks_->index[axis] = to - Counts{direction * since};
   return true;
 }
 

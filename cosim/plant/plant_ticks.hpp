@@ -10,19 +10,21 @@
 #include "cosim/plant/incremental_encoder.hpp"
 #include "cosim/plant/mechanics.hpp"
 #include "cosim/plant/servo_drive.hpp"
+#include "cosim/plant/tick_steps.hpp"
 
 namespace armature::cosim {
 
 struct PlantTicks {
   // What a tick changes, as it was at its start.
   struct State {
-    std::vector<ServoDrive> drives{};
-    PerAxis<Shaft> shafts{};
+    std::vector<ServoDrive::State> drives{};  // kAxes, or none yet
+    Shafts shafts{};
     PerAxis<IncrementalEncoder::Motions> motions{};
     std::uint8_t moving = 0;
   };
 
   State begin{};
+  TickSteps steps{};                       // of the latest tick
   bool first = true;                       // edges were computed before this tick
   Cycles counted_until{};                  // the edge before the one that raises the trigger pin at its end
   PerAxis<int> direction{};                // of the latest change of a count

@@ -11,9 +11,6 @@ namespace {
 
 constexpr double kTwoPi = 6.283185307179586476925;
 
-// A settling motion below this is set to rest, so that a finished motion needs no computation: a millionth of a count.
-constexpr double kRestCounts = 0x1.0p-20;
-
 struct Matrix {
   double a, b, c, d;  // [a b; c d]
 };
@@ -49,22 +46,21 @@ PositionLoop::PositionLoop(const DriveSpec& spec, double counts_per_rev) {
   stiffness_ = wn_h * wn_h;
   drag_ = 2.0 * spec.damping * wn_h;
   const double rad_s2 = spec.max_torque_nm / spec.inertia_kg_m2;
-  max_accel_ = rad_s2 / kTwoPi * counts_per_rev * (kPlantStepSeconds * kPlantStepSeconds);
-  max_speed_ = spec.max_speed_rpm / 60.0 * counts_per_rev * kPlantStepSeconds;
-  rest_speed_ = kRestCounts * wn_h;
-
   const Matrix phi = exponential({0.0, 1.0, -stiffness_, -drag_});
-  phi_xx_ = phi.a;
-  phi_xv_ = phi.b;
-  phi_vx_ = phi.c;
-  phi_vv_ = phi.d;
+  numbers_ = {.error_by_error = phi.a,
+              .error_by_speed = phi.b,
+              .speed_by_error = phi.c,
+              .speed_by_speed = phi.d,
+              .max_accel = rad_s2 / kTwoPi * counts_per_rev * (kPlantStepSeconds * kPlantStepSeconds),
+              .max_speed = spec.max_speed_rpm / 60.0 * counts_per_rev * kPlantStepSeconds,
+              .rest_speed = kRestCounts * wn_h};
 }
 
 void PositionLoop::step(Shaft& shaft) const {
   if (shaft.at_rest()) return;
-  const double error = phi_xx_ * shaft.error + phi_xv_ * shaft.speed;
-  const double speed = phi_vx_ * shaft.error + phi_vv_ * shaft.speed;
-  if (std::fabs(speed - shaft.speed) <= max_accel_ && std::fabs(speed) <= max_speed_) {
+  const double error = numbers_.error_by_error * shaft.error + numbers_.error_by_speed * shaft.speed;
+  const double speed = numbers_.speed_by_error * shaft.error + numbers_.speed_by_speed * shaft.speed;
+  if (std::fabs(speed - shaft.speed) <= numbers_.max_accel && std::fabs(speed) <= numbers_.max_speed) {
     shaft.error = error;
     shaft.speed = speed;
     settle(shaft);
@@ -78,13 +74,16 @@ void PositionLoop::brake(Shaft& shaft) const {
 }
 
 void PositionLoop::move_with(double accel, Shaft& shaft) const {
-  const double speed = std::clamp(shaft.speed + std::clamp(accel, -max_accel_, max_accel_), -max_speed_, max_speed_);
+  const double limited = std::clamp(accel, -numbers_.max_accel, numbers_.max_accel);
+  const double speed = std::clamp(shaft.speed + limited, -numbers_.max_speed, numbers_.max_speed);
   shaft.error += 0.5 * (shaft.speed + speed);
   shaft.speed = speed;
 }
 
 void PositionLoop::settle(Shaft& shaft) const {
-  if (std::fabs(shaft.error) < kRestCounts && std::fabs(shaft.speed) < rest_speed_) shaft.error = shaft.speed = 0.0;
+  if (std::fabs(shaft.error) < kRestCounts && std::fabs(shaft.speed) < numbers_.rest_speed) {
+    shaft.error = shaft.speed = 0.0;
+  }
 }
 
 }  // namespace armature::cosim

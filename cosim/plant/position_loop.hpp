@@ -23,18 +23,26 @@ class PositionLoop {
   // One step with the windings shorted: decelerates to standstill with the full torque and stays there.
   void brake(Shaft& shaft) const;
 
+  // Of a step under control, in counts and steps.
+  struct Numbers {
+    // (error, speed) after a step within the limits = this matrix times (error, speed) before it.
+    double error_by_error, error_by_speed, speed_by_error, speed_by_speed;
+    double max_accel, max_speed;  // the limits
+    double rest_speed;            // below it, and below kRestCounts, the shaft is set to rest
+  };
+  [[nodiscard]] const Numbers& numbers() const { return numbers_; }
+
+  // A settling motion below this is set to rest, so that a finished motion needs no computation: a millionth of a
+  // count.
+  static constexpr double kRestCounts = 0x1.0p-20;
+
  private:
   void move_with(double accel, Shaft& shaft) const;
   void settle(Shaft& shaft) const;
 
-  // Everything in counts and steps.
   double stiffness_;  // (wn h)^2
   double drag_;       // 2 zeta wn h
-  double max_accel_;
-  double max_speed_;
-  double rest_speed_;
-  // (x, v) after a step = Phi (x, v) before it.
-  double phi_xx_, phi_xv_, phi_vx_, phi_vv_;
+  Numbers numbers_;
 };
 
 }  // namespace armature::cosim

@@ -33,8 +33,22 @@ class ServoDrive {
     return pulses.count == 0 ? enabled() || idle() : enabled() && to_drop_ == 0;
   }
   [[nodiscard]] const StepInput& input() const { return input_; }
-  // The next `count` pulses, signed by their direction.
-  void take(std::int32_t count, Shaft& shaft);
+  [[nodiscard]] const ElectronicGear& gear() const { return state_.gear; }
+  [[nodiscard]] double alarm_error() const { return alarm_error_; }  // [counts]
+  [[nodiscard]] bool enabled() const { return servo_on_ && !state_.alarm; }
+  // The drive has counted `count` more pulses, signed by their direction, and its shaft was observed; `moves`: further
+  // steps are needed.
+  void skip(std::int64_t count, bool in_position, bool moves);
+  // What a tick changes.
+  struct State {
+    ElectronicGear gear;
+    Pulses counted{};
+    bool alarm = false;
+    bool in_position = false;
+    bool stepping_needed = false;
+  };
+  [[nodiscard]] const State& state() const { return state_; }
+  void set_state(const State& state) { state_ = state; }
   void resume_input(bool step, bool dir, Cycles changed, Cycles turned) { input_.resume(step, dir, changed, turned); }
 
   // Fault script: the drive does not see the next `count` pulses (added to those still to be lost).
@@ -46,38 +60,40 @@ class ServoDrive {
   void observe(const Shaft& shaft);
 
   // True when further steps change nothing as long as the inputs do not change.
-  [[nodiscard]] bool idle() const { return !stepping_needed_; }
+  [[nodiscard]] bool idle() const { return !state_.stepping_needed; }
 
   // Position of the motor.
-  [[nodiscard]] Subcounts position(const Shaft& shaft) const;
+  [[nodiscard]] Subcounts position(const Shaft& shaft) const { return position_at(state_.gear, shaft.error); }
+  // That of a shaft with this error from the reference of the gear.
+  [[nodiscard]] static Subcounts position_at(const ElectronicGear& gear, double error) {
+    const double offset = gear.fraction() + error;
+    const std::int64_t subcounts = floor_of(offset * static_cast<double>(kSubcountsPerCount) + 0.5);
+    return Subcounts{gear.whole() * kSubcountsPerCount + subcounts};
+  }
   // Reference minus position, 0 while not under control [counts].
   [[nodiscard]] double following_error(const Shaft& shaft) const { return enabled() ? -shaft.error : 0.0; }
 
   // ---- outputs, as of the last step
-  [[nodiscard]] bool alarm() const { return alarm_; }
-  [[nodiscard]] bool in_position() const { return in_position_; }
+  [[nodiscard]] bool alarm() const { return state_.alarm; }
+  [[nodiscard]] bool in_position() const { return state_.in_position; }
+  static constexpr double kInPositionCounts = 5.0;  // in position below it
 
   // ---- every pulse on the pins is in exactly one of these, signed by its direction
-  [[nodiscard]] Pulses counted_pulses() const { return counted_; }  // moved the reference
-  [[nodiscard]] Pulses dropped_pulses() const { return dropped_; }  // lost by the fault script
-  [[nodiscard]] Pulses ignored_pulses() const { return ignored_; }  // came while the servo was off or in alarm
+  [[nodiscard]] Pulses counted_pulses() const { return state_.counted; }  // moved the reference
+  [[nodiscard]] Pulses dropped_pulses() const { return dropped_; }        // lost by the fault script
+  [[nodiscard]] Pulses ignored_pulses() const { return ignored_; }        // came while the servo was off or in alarm
 
   [[nodiscard]] const std::optional<InputViolation>& violation() const { return input_.violation(); }
 
  private:
-  [[nodiscard]] bool enabled() const { return servo_on_ && !alarm_; }
   void handle_pulse(int direction, Shaft& shaft);
   void switch_on(Shaft& shaft);
 
   StepInput input_;
-  ElectronicGear gear_;
-  double alarm_error_;  // [counts]
+  State state_;
+  double alarm_error_;
   bool servo_on_ = false;
-  bool alarm_ = false;
-  bool in_position_ = false;
-  bool stepping_needed_ = false;
   std::int64_t to_drop_ = 0;
-  Pulses counted_{};
   Pulses dropped_{};
   Pulses ignored_{};
 };

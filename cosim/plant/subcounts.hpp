@@ -19,6 +19,12 @@ inline constexpr Subcounts kHalfCount{kSubcountsPerCount / 2};
   return Subcounts{counts.value() * kSubcountsPerCount};
 }
 
+// The largest integer that is not above x, whose magnitude is below 2^63: std::floor() without a call of the library.
+[[nodiscard]] constexpr std::int64_t floor_of(double x) {
+  const auto towards_zero = static_cast<std::int64_t>(x);
+  return towards_zero - (static_cast<double>(towards_zero) > x ? 1 : 0);
+}
+
 // The encoder's count at a position: floor(position + 1/2).
 [[nodiscard]] constexpr Counts nearest_count(Subcounts position) {
   return Counts{(position + kHalfCount).value() >> kSubcountBits};

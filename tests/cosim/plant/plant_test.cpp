@@ -234,10 +234,10 @@ TEST(Plant, AnAxisWithoutSwitchesShowsNone) {
 // A shaft that turns the next one with it.
 class CoupledShafts final : public Mechanics {
  public:
-  std::uint8_t step(std::uint8_t axes, const PerAxis<MotorDemand>& demands, PerAxis<Shaft>& shafts) override {
-    controlled = demands[0].controlled;
-    shafts[0].error = 0.0;  // on its reference
-    shafts[1].error = demands[0].reference;
+  std::uint8_t step(std::uint8_t axes, const MotorDemands& demands, Shafts& shafts) override {
+    controlled = has_bit(demands.controlled, 0);
+    shafts.error[0] = 0.0;  // on its reference
+    shafts.error[1] = demands.reference[0];
     return axes | 0b11;
   }
   bool controlled = false;

@@ -13,11 +13,17 @@ class DrivenMotor {
  public:
   explicit DrivenMotor(const AxisSpec& spec = {}) : drive{0, spec}, mechanics_{robot_of(spec)} {}
 
-  void on_pins(Cycles now, bool step, bool dir, bool servo_on) { drive.on_pins(now, step, dir, servo_on, shafts_[0]); }
+  void on_pins(Cycles now, bool step, bool dir, bool servo_on) {
+    Shaft shaft = shafts_[0];
+    drive.on_pins(now, step, dir, servo_on, shaft);
+    shafts_.set(0, shaft);
+  }
 
   // One step of the plant.
   void step() {
-    mechanics_.step(0b1, {drive.demand()}, shafts_);
+    MotorDemands demands;
+    demands.set(0, drive.demand());
+    mechanics_.step(0b1, demands, shafts_);
     drive.observe(shafts_[0]);
   }
 
@@ -35,7 +41,7 @@ class DrivenMotor {
   }
 
   IndependentAxes mechanics_;
-  PerAxis<Shaft> shafts_;
+  Shafts shafts_;
 };
 
 }  // namespace armature::cosim::test
