@@ -110,8 +110,9 @@ Interrupts Core::active(Interrupts mask) const {
 
 // The cycle before which this core runs alone; its own cycle or an earlier one if it does not.
 Cycles Core::horizon() const {
+  if (is_ahead_) return horizon_;
   if (simulation_ == nullptr || !takes_time_ || event_sent_ || simulation_->host_must_read()) return now_;
-  return is_ahead_ ? horizon_ : std::min(simulation_->horizon(), other_->quiet_until());
+  return std::min(simulation_->horizon(), other_->quiet_until());
 }
 
 // The cycle before which the core does nothing unless it is notified or interrupted; 0 if it may do something now.
@@ -192,7 +193,7 @@ Interrupts Core::wait_for_interrupt(Interrupts mask) noexcept {
 
 void Core::charge(Work work, std::int64_t times) noexcept {
   const Cycles end = now_ + Cycles{cycles_of(spec_, work) * times};
-  if (const Cycles until = horizon(); now_ < end && end < until) {
+  if (const Cycles until = horizon(); now_ < end && end < until && !simulation_->host_must_read()) {
     is_ahead_ = true;
     horizon_ = until;
     now_ = end;

@@ -33,7 +33,8 @@ class RunAhead {
     Cycles ends{};           // of kDone
     Cycles horizon{};        // of kDone: from then on
   };
-  // Executes an access of core 0 that begins at `now`, the cycle of the core, as far as possible before `horizon`.
+  // Executes an access of core 0 that begins at `now`, the cycle of the core, as far as possible before `horizon`;
+  // refuses it if host_must_read().
   virtual Outcome try_access(const BusRequest& request, Cycles now, Cycles horizon) = 0;
 };
 

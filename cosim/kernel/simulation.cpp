@@ -215,7 +215,8 @@ SocInputs Simulation::inputs() const {
 }
 
 void Simulation::finish_access(const BusResponse& response) {
-  const Processor::Access access = take_access();
+  bus_time_.at(static_cast<std::size_t>(access_->core)) += now() - access_since_;
+  const Processor::Access access = *std::exchange(access_, std::nullopt);
   const BusRequest& request = access.request;
   if (response.error != BusError::kNone && (access.stray || injector_.explains_bus_errors())) {
     processor_->abort(access, now());
@@ -227,26 +228,20 @@ void Simulation::finish_access(const BusResponse& response) {
                      access.core, kBusErrorTexts.at(static_cast<std::size_t>(response.error)), now().value()));
     return;
   }
-  if (!check_access(request, response)) return;
+  if (!check_access(request, response, now())) return;
   processor_->complete(access, response, now());
   read_host_memory();
 }
 
-// The access under way, which has ended.
-Processor::Access Simulation::take_access() {
-  bus_time_.at(static_cast<std::size_t>(access_->core)) += now() - access_since_;
-  return *std::exchange(access_, std::nullopt);
-}
-
-// Of an access without an error. Returns false if it ends the run.
-bool Simulation::check_access(const BusRequest& request, const BusResponse& response) {
+// Of an access without an error that has ended at `now`. Returns false if it ends the run.
+bool Simulation::check_access(const BusRequest& request, const BusResponse& response, Cycles now) {
   if (request.write) {
     ++end_.bus_writes;
-    conservation_.on_write(now(), request.addr, request.data);
+    conservation_.on_write(now, request.addr, request.data);
   } else {
     ++end_.bus_reads;
     software_.on_read(response.data);
-    conservation_.on_read(now(), request.addr, response.data);
+    conservation_.on_read(now, request.addr, response.data);
   }
   if (const auto& violation = conservation_.violation()) fail(*violation);
   return !over_;

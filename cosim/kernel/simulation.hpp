@@ -111,8 +111,7 @@ class Simulation final : private RunAhead {
   [[nodiscard]] SocInputs inputs() const;
   void act(const ScriptAction& action);
   void finish_access(const BusResponse& response);
-  Processor::Access take_access();
-  bool check_access(const BusRequest& request, const BusResponse& response);
+  bool check_access(const BusRequest& request, const BusResponse& response, Cycles now);
   void grant_bus();
   void give(const CommandSpec& move);
   void feed_program();

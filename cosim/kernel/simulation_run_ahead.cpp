@@ -26,19 +26,19 @@ void Simulation::catch_up(Cycles until) {
 // The core waits for the response, if it does not get it here: a pin has changed, or the access ends too late or with
 // an error.
 RunAhead::Outcome Simulation::try_access(const BusRequest& request, Cycles at, Cycles horizon) {
-  if (ticks_.disturbs(request)) return {};
-  catch_up(at);
-  access_ = Processor::Access{.core = 0, .request = request};
-  access_since_ = at;
-  const auto [response, pins_changed] = soc_->access(request, horizon - Cycles{1});
+  if (host_must_read() || ticks_.disturbs(request)) return {};
+  core_was_ahead_ = true;
+  const auto [response, pins_changed, ends, quiet_until] = soc_->access(request, at, horizon - Cycles{1});
   if (!response || pins_changed || response->error != BusError::kNone) {
+    access_ = Processor::Access{.core = 0, .request = request};
+    access_since_ = at;
     response_ = response;
     pins_changed_ = pins_changed;
     return {.access = Access::kBegun};
   }
-  take_access();
-  if (!check_access(request, *response)) return {.access = Access::kBegun};  // the run is over
-  return {Access::kDone, response->data, now(), std::min(horizon, soc_->quiet_until())};
+  bus_time_[0] += ends - at;
+  if (!check_access(request, *response, ends)) return {.access = Access::kBegun};  // the run is over
+  return {Access::kDone, response->data, ends, std::min(horizon, quiet_until)};
 }
 
 }  // namespace armature::cosim

@@ -10,7 +10,7 @@
 //   Cycles wakes_at() const;
 //     The next edge that must be computed though nothing changes from outside, later than the latest computed edge;
 //     kNever if there is none. So a block stores times of coming events instead of counters that run.
-//   Answer access(Cycles at, const Strobes& access);
+//   Answer access(Cycles at, const Strobes& access, const Inputs& inputs);
 //     Optional: edge() for an edge that could be left out but for its access, and at which no output changes.
 //   outputs: levels after the latest computed edge. They do not change at edges that are left out.
 //

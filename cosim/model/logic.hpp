@@ -37,12 +37,8 @@ class Logic {
 
   // The next edge that must be computed if it has no access.
   [[nodiscard]] Cycles wakes_at() const {
-    if (!std::exchange(wakes_known_, true)) {
-      wakes_ = {gpio_.wakes_at(now_, gpio_inputs()), timer_.wakes_at(now_, timer_inputs()),
-                uart_.wakes_at(now_, uart_inputs()), pulses_.wakes_at(now_, pulse_inputs()),
-                variant_.wakes_at(now_, in_, decoder_inputs())};
-    }
-    return std::ranges::min(wakes_);
+    if (!wakes_known_) find_wakes();
+    return next_wake_;
   }
 
   // Edges up to `until` that need not be computed. Throws std::logic_error when time would go back.
@@ -79,7 +75,8 @@ class Logic {
     now_ += Cycles{1};
     const auto of = [&](auto& slot) {
       answer = slot.access(now_, access);
-      wakes_[port] = slot.block().wakes_at();
+      const Cycles before = std::exchange(wakes_[port], slot.block().wakes_at());
+      if (wakes_[port] != before) next_wake_ = std::ranges::min(wakes_);
     };
     bool shows = access.write;
     switch (port) {
@@ -164,6 +161,14 @@ class Logic {
     return {.trigger = outputs_.trigger, .servo_on = outputs_.servo_on};
   }
 
+  void find_wakes() const {
+    wakes_ = {gpio_.wakes_at(now_, gpio_inputs()), timer_.wakes_at(now_, timer_inputs()),
+              uart_.wakes_at(now_, uart_inputs()), pulses_.wakes_at(now_, pulse_inputs()),
+              variant_.wakes_at(now_, in_, decoder_inputs())};
+    next_wake_ = std::ranges::min(wakes_);
+    wakes_known_ = true;
+  }
+
   // Returns whether an output has changed.
   bool show_outputs() {
     const SocOutputs before = std::exchange(outputs_, sample());
@@ -198,6 +203,7 @@ class Logic {
   Cycles now_{};
   // The next edges that the blocks must compute, by port; the last one is of all decoders.
   mutable std::array<Cycles, 5> wakes_{};
+  mutable Cycles next_wake_{};  // the earliest of them
   mutable bool wakes_known_ = false;
 };
 

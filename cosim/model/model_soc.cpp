@@ -19,7 +19,8 @@ namespace {
 template <class Variant>
 class ModelSoc final : public Soc {
  public:
-  ModelSoc(const BusSpec& bus, std::uint64_t seed) : spec_{bus}, master_{bus, seed}, quick_{is_quick(bus)} {}
+  ModelSoc(const BusSpec& bus, std::uint64_t seed)
+      : spec_{bus}, times_{bus}, master_{bus, seed}, quick_{is_quick(bus)} {}
 
   // ---- time
   [[nodiscard]] Cycles now() const override { return logic_.now() + stood_; }
@@ -27,6 +28,10 @@ class ModelSoc final : public Soc {
   bool advance(Cycles limit, StopOn stop_on) override {
     if (!clock_running_) {
       stood_ = std::max(stood_, limit - logic_.now());
+      return false;
+    }
+    if (!access_ && is_silent() && limit - stood_ < logic_.wakes_at()) {
+      if (logic_.now() < limit - stood_) logic_.pass(limit - stood_);
       return false;
     }
     const std::uint8_t irq = interrupts();
@@ -42,7 +47,7 @@ class ModelSoc final : public Soc {
   }
 
   [[nodiscard]] Cycles quiet_until() const override {
-    if (!clock_running_ || !master_.idle() || bus_.is_active(master_.pins()) || wave_.is_open()) return now();
+    if (!clock_running_ || !is_silent()) return now();
     return logic_.wakes_at() + stood_;
   }
 
@@ -62,25 +67,29 @@ class ModelSoc final : public Soc {
   [[nodiscard]] bool idle() const override { return !access_ && master_.idle() && !response_; }
 
   std::optional<Cycles> start(const BusRequest& request) override {
-    if (!quick_ || !clock_running_ || bus_.is_active(master_.pins())) {
+    if (!quick_ || !clock_running_ || handshakes_) {
       master_.start(request, now());
+      handshakes_ = true;
       return std::nullopt;
     }
-    access_ = quick_access(request, logic_.now(), spec_, Variant::kBases);
+    access_ = quick_access(request, logic_.now(), times_, Variant::kBases);
     return access_->ends + stood_;
   }
 
-  Progress access(const BusRequest& request, Cycles limit) override {
-    start(request);
-    if (!access_ || access_->ends + stood_ > limit || logic_.wakes_at() <= access_->executed) return run_access(limit);
-    if (access_->port) {
-      logic_.pass(access_->executed - Cycles{1});
-      const bool changed = logic_.edge(*access_->port, access_->strobes(), access_->answer);
-      if (changed) return {.pins_changed = true};
-      if (logic_.wakes_at() <= access_->ends) return run_access(limit);
+  Progress access(const BusRequest& request, Cycles at, Cycles limit) override {
+    QuickAccess access = quick_access(request, at - stood_, times_, Variant::kBases);
+    const bool alone = quick_ && clock_running_ && is_silent() && access.port && access.ends + stood_ <= limit &&
+                       logic_.wakes_at() > access.executed;
+    if (!alone) return Soc::access(request, at, limit);
+    logic_.pass(access.executed - Cycles{1});
+    const bool changed = logic_.edge(*access.port, access.strobes(), access.answer);
+    if (changed || logic_.wakes_at() <= access.ends) {
+      access_ = access;
+      if (changed) return {.pins_changed = true, .ends = now()};
+      return run_access(limit);
     }
-    logic_.pass(access_->ends);
-    return {.response = std::exchange(access_, std::nullopt)->response()};
+    logic_.pass(access.ends);
+    return {.response = access.response(), .ends = access.ends + stood_, .quiet_until = logic_.wakes_at() + stood_};
   }
 
   [[nodiscard]] bool has_response() const override { return response_.has_value(); }
@@ -108,9 +117,12 @@ class ModelSoc final : public Soc {
  private:
   using Answers = typename Logic<Variant>::Answers;
 
+  // Whether neither handshakes nor a waveform need every edge.
+  [[nodiscard]] bool is_silent() const { return !handshakes_ && !wave_.is_open(); }
+
   // Runs to the next edge that must be computed, or to `end`. Returns whether an output has changed.
   bool run_to(Cycles end) {
-    const bool handshakes = !master_.idle() || bus_.is_active(master_.pins());
+    const bool handshakes = handshakes_;
     Cycles next = handshakes || wave_.is_open() ? logic_.now() + Cycles{1} : logic_.wakes_at();
     if (access_) next = std::min(next, access_->next_edge(logic_.now()));
     if (next > end) {
@@ -154,6 +166,7 @@ class ModelSoc final : public Soc {
   void show_handshakes() {
     const QuickAccess access = *std::exchange(access_, std::nullopt);
     master_.start(access.request, access.started + stood_);
+    handshakes_ = true;
     for (Cycles at = access.started + Cycles{1}; at <= logic_.now(); at += Cycles{1}) {
       Answers answers;
       if (access.port && at == access.executed) answers[*access.port] = access.answer;
@@ -164,6 +177,7 @@ class ModelSoc final : public Soc {
 
   void step_master(Cycles at) {
     if (!master_.idle() && at >= master_.next_event()) response_ = master_.step(at, bus_.pins());
+    handshakes_ = !master_.idle() || bus_.is_active(master_.pins());
   }
 
   static auto motion_of(Logic<Variant>& logic) {
@@ -175,9 +189,11 @@ class ModelSoc final : public Soc {
   }
 
   BusSpec spec_;
+  QuickTimes times_;
   Logic<Variant> logic_;
   Bus<Logic<Variant>::kBlocks> bus_{Variant::kBases};
   AxiLiteMaster master_;
+  bool handshakes_ = false;            // the master is busy, or the coming edge changes the bus
   std::optional<QuickAccess> access_;  // under way, in times of logic_
   std::optional<BusResponse> response_;
   bool quick_;

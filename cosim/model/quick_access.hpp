@@ -39,6 +39,22 @@ struct QuickAccess {
   }
 };
 
+// The times of such accesses over a bus, from their start.
+struct QuickTimes {
+  Cycles executed{}, write_ends{}, read_ends{}, unclaimed_ends{};
+
+  explicit QuickTimes(const BusSpec& bus) {
+    constexpr Cycles kToBlock{3}, kWriteEdges{6}, kReadEdges{5}, kUnclaimedEdges{2};
+    // The master drives its pins a clock after the start at the earliest. The crossbar accepts them at the next edge.
+    const Cycles accepted{std::max<std::int64_t>(bus.latency_cycles, 1) + 1};
+    const Cycles back{bus.latency_cycles};
+    executed = accepted + kToBlock;
+    write_ends = accepted + kWriteEdges + back;
+    read_ends = accepted + kReadEdges + back;
+    unclaimed_ends = accepted + kUnclaimedEdges + back;
+  }
+};
+
 // Whether accesses over this bus have those times.
 [[nodiscard]] inline bool is_quick(const BusSpec& bus) {
   constexpr std::int64_t kHandshakes = 8;
@@ -46,16 +62,11 @@ struct QuickAccess {
 }
 
 // An access that starts at `now`. `bases`: of the blocks, by port.
-[[nodiscard]] inline QuickAccess quick_access(const BusRequest& request, Cycles now, const BusSpec& bus,
+[[nodiscard]] inline QuickAccess quick_access(const BusRequest& request, Cycles now, const QuickTimes& times,
                                               std::span<const std::uint32_t> bases) {
-  constexpr Cycles kToBlock{3}, kWriteEdges{6}, kReadEdges{5}, kUnclaimedEdges{2};
-  QuickAccess access{.request = request, .started = now};
-  access.port = port_of(request.addr, bases);
-  // The master drives its pins a clock after the start at the earliest. The crossbar accepts them at the next edge.
-  const Cycles accepted = now + Cycles{std::max<std::int64_t>(bus.latency_cycles, 1) + 1};
-  access.executed = accepted + kToBlock;
-  const Cycles answered = accepted + (!access.port ? kUnclaimedEdges : request.write ? kWriteEdges : kReadEdges);
-  access.ends = answered + Cycles{bus.latency_cycles};
+  QuickAccess access{.request = request, .port = port_of(request.addr, bases), .started = now};
+  access.executed = now + times.executed;
+  access.ends = now + (!access.port ? times.unclaimed_ends : request.write ? times.write_ends : times.read_ends);
   return access;
 }
 

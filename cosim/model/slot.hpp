@@ -17,13 +17,13 @@ class Slot {
   }
 
   // Whether an output may change at an edge that must be computed for its access only.
-  static constexpr bool kAccessShows = !requires(Block & block) { block.access(Cycles{}, Strobes{}); };
+  static constexpr bool kAccessShows = !requires(Block & block) { block.access(Cycles{}, Strobes{}, Inputs{}); };
   // Such an edge: wakes_at() is later, and the inputs are those of before.
   Answer access(Cycles at, const Strobes& access) {
     if constexpr (kAccessShows)
       return block_.edge(at, access, latest_);
     else
-      return block_.access(at, access);
+      return block_.access(at, access, latest_);
   }
 
   // The next edge that must be computed, after the edge `now`. `in`: the levels that it will see.

@@ -59,13 +59,15 @@ class Soc {
   // advance, else none. A client must not depend on it: advance() stops at that cycle in either case.
   virtual std::optional<Cycles> start(const BusRequest& request) = 0;
 
-  // start(), then advance(limit, StopOn::kPinChange). Returns the response if the access has ended, and whether an
-  // output has changed at now().
+  // advance(at, StopOn::kAccess), start(), then advance(limit, StopOn::kPinChange): in one call, because a processor
+  // that runs ahead does nothing else. No access is under way, and `at` is before quiet_until().
   struct Progress {
-    std::optional<BusResponse> response{};
-    bool pins_changed = false;
+    std::optional<BusResponse> response{};  // if the access has ended
+    bool pins_changed = false;              // an output has changed at the end
+    Cycles ends{};                          // now()
+    Cycles quiet_until{};                   // quiet_until() if the access has ended
   };
-  virtual Progress access(const BusRequest& request, Cycles limit);
+  virtual Progress access(const BusRequest& request, Cycles at, Cycles limit);
 
   // Whether a response waits for pop_response().
   [[nodiscard]] virtual bool has_response() const = 0;

@@ -33,6 +33,9 @@ template <std::size_t kDecoders>
 class Encoder {
  public:
   Answer edge(Cycles at, const Strobes& access, const EncoderInputs& in);
+  Answer access(Cycles at, const Strobes& access, const EncoderInputs& in) {
+    return access.write || gated_clock_stopped_ ? edge(at, access, in) : read(word_offset(access.raddr));
+  }
   [[nodiscard]] Cycles wakes_at() const { return wakes_at_; }
 
   // ---- whole ticks: the edges at which only the lines act are left out

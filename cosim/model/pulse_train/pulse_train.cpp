@@ -62,7 +62,7 @@ Answer PulseTrain::edge(Cycles at, const Strobes& access, const PulseInputs& in)
   return answer;
 }
 
-Answer PulseTrain::access(Cycles at, const Strobes& access) {
+Answer PulseTrain::access(Cycles at, const Strobes& access, const PulseInputs&) {
   Answer answer;
   if (access.read) answer = read(at, word_offset(access.raddr));
   if (!access.write) return answer;

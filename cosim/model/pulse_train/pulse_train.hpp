@@ -22,7 +22,7 @@ namespace armature::cosim::model {
 class PulseTrain {
  public:
   Answer edge(Cycles at, const Strobes& access, const PulseInputs& in);
-  Answer access(Cycles at, const Strobes& access);
+  Answer access(Cycles at, const Strobes& access, const PulseInputs& in);
   [[nodiscard]] Cycles wakes_at() const { return wakes_at_; }
 
   [[nodiscard]] std::uint8_t step() const { return step_; }
