@@ -60,6 +60,7 @@ class IncrementalEncoder {
     Motion counted{}, counted_before{};  // the latest two in which the count changed
   };
   [[nodiscard]] const Motions& motions() const { return motions_; }
+  [[nodiscard]] Motions& motions_to_change() { return motions_; }
   void set_motions(const Motions& motions) { motions_ = motions; }
   // The edges in the history after `from`, the latest one first: calls `use(cycle, count before it)`.
   template <class Use>

@@ -1,8 +1,9 @@
 #include "cosim/plant/independent_axes.hpp"
 
-#include <cmath>
+#include <array>
 
 #include "cosim/logic/axis_bits.hpp"
+#include "cosim/logic/axis_pairs.hpp"
 #include "cosim/plant/counts_per_rev.hpp"
 
 namespace armature::cosim {
@@ -26,7 +27,8 @@ IndependentAxes::IndependentAxes(const RobotSpec& robot) {
 std::uint8_t IndependentAxes::step(std::uint8_t axes, const MotorDemands& demands, Shafts& shafts) {
   const Shafts before = shafts;
   const std::uint8_t limited = step_within_limits(shafts);
-  for_each_bit((limited | ~demands.controlled | ~axes) & kAllAxes, [&](std::size_t axis) {
+  const auto others = static_cast<std::uint8_t>((limited | ~demands.controlled | ~axes) & kAllAxes);
+  for_each_bit(others, [&](std::size_t axis) {
     shafts.set(axis, before[axis]);
     if (has_bit(axes, axis)) step_alone(axis, has_bit(demands.controlled, axis), shafts);
   });
@@ -35,20 +37,24 @@ std::uint8_t IndependentAxes::step(std::uint8_t axes, const MotorDemands& demand
 
 // As PositionLoop::step(), operation for operation, so the same bits.
 std::uint8_t IndependentAxes::step_within_limits(Shafts& shafts) const {
-  PerAxis<double> excess;
-  for (std::size_t i = 0; i < kAxes; ++i) {
-    const double error = error_by_error_[i] * shafts.error[i] + error_by_speed_[i] * shafts.speed[i];
-    const double speed = speed_by_error_[i] * shafts.error[i] + speed_by_speed_[i] * shafts.speed[i];
-    const double accel_excess = std::fabs(speed - shafts.speed[i]) - max_accel_[i];
-    const double speed_excess = std::fabs(speed) - max_speed_[i];
-    excess[i] = accel_excess > speed_excess ? accel_excess : speed_excess;
-    const bool rests = (std::fabs(error) < PositionLoop::kRestCounts) & (std::fabs(speed) < rest_speed_[i]);
-    shafts.error[i] = rests ? 0.0 : error;
-    shafts.speed[i] = rests ? 0.0 : speed;
+  std::array<WholePair, kAxisPairs> limited;
+  WholePair any_limited{};
+  for (std::size_t i = 0; i < kAxisPairs; ++i) {
+    const Pair error_before = shafts.error.pair(i), speed_before = shafts.speed.pair(i);
+    const Pair error = error_by_error_.pair(i) * error_before + error_by_speed_.pair(i) * speed_before;
+    const Pair speed = speed_by_error_.pair(i) * error_before + speed_by_speed_.pair(i) * speed_before;
+    limited[i] = (magnitude(speed - speed_before) > max_accel_.pair(i)) | (magnitude(speed) > max_speed_.pair(i));
+    any_limited |= limited[i];
+    const WholePair rests =
+        (magnitude(error) < both(PositionLoop::kRestCounts)) & (magnitude(speed) < rest_speed_.pair(i));
+    shafts.error.set_pair(i, only(~rests, error));
+    shafts.speed.set_pair(i, only(~rests, speed));
   }
-  std::uint8_t limited = 0;
-  for (std::size_t i = 0; i < kAxes; ++i) limited |= static_cast<std::uint8_t>((excess[i] > 0.0 ? 1 : 0) << i);
-  return limited;
+  std::uint8_t axes = 0;
+  if (any(any_limited)) {
+    for (std::size_t axis = 0; axis < kAxes; ++axis) set_bit(axes, axis, limited[axis / 2][axis % 2] != 0);
+  }
+  return axes;
 }
 
 void IndependentAxes::step_alone(std::size_t axis, bool controlled, Shafts& shafts) const {

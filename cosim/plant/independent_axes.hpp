@@ -26,8 +26,8 @@ class IndependentAxes final : public Mechanics {
 
   std::vector<PositionLoop> motors_;  // kAxes
   // Their numbers, each for all axes.
-  PerAxis<double> error_by_error_, error_by_speed_, speed_by_error_, speed_by_speed_;
-  PerAxis<double> max_accel_, max_speed_, rest_speed_;
+  AxisNumbers error_by_error_, error_by_speed_, speed_by_error_, speed_by_speed_;
+  AxisNumbers max_accel_, max_speed_, rest_speed_;
 };
 
 }  // namespace armature::cosim

@@ -6,6 +6,7 @@
 
 #include "controller/base/axes.hpp"
 #include "cosim/logic/axis_bits.hpp"
+#include "cosim/logic/axis_pairs.hpp"
 
 namespace armature::cosim {
 
@@ -22,8 +23,8 @@ struct Shaft {
 
 // All shafts, so arranged that one instruction can move several.
 struct Shafts {
-  PerAxis<double> error{};
-  PerAxis<double> speed{};
+  AxisNumbers error;
+  AxisNumbers speed;
 
   [[nodiscard]] Shaft operator[](std::size_t axis) const { return {error[axis], speed[axis]}; }
   void set(std::size_t axis, const Shaft& shaft) {
@@ -41,7 +42,7 @@ struct MotorDemand {
 // Of all drives.
 struct MotorDemands {
   std::uint8_t controlled = 0;  // one bit per axis
-  PerAxis<double> reference{};
+  AxisNumbers reference;
 
   void set(std::size_t axis, const MotorDemand& demand) {
     set_bit(controlled, axis, demand.controlled);

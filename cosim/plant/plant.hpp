@@ -128,7 +128,7 @@ class Plant {
   bool finishes_step(Cycles now, Cycles spacing);
   [[nodiscard]] bool has_levels_of_inputs(std::size_t axis) const;
   bool follow_steps(std::size_t axis, Cycles spacing);
-  bool follow_one_way(std::size_t axis, Subcounts target);
+  bool follow_one_way(std::size_t axis);
   bool follow_each_step(std::size_t axis, Cycles spacing);
   bool shows_no_more_than_lines(std::size_t axis, Counts from, Cycles now, Cycles spacing);
   bool passes_index(std::size_t axis, Counts from, Counts to);

@@ -110,47 +110,47 @@ bool Plant::follow_steps(std::size_t axis, Cycles spacing) {
     return follow_each_step(axis, spacing);
   }
   if ((forward ? +1 : -1) != ticks_->direction[axis]) return follow_each_step(axis, spacing);
-  return follow_one_way(axis, steps.position(steps.size() - 1, axis, drives_[axis].gear()));
+  return follow_one_way(axis);
 }
 
 bool Plant::follow_each_step(std::size_t axis, Cycles spacing) {
   IncrementalEncoder& encoder = encoders_[axis];
   const TickSteps& steps = ticks_->steps;
   for (std::size_t i = 0; i < steps.size(); ++i) {
-    encoder.move_without_edges(steps.began(i), kPlantStep, steps.position(i, axis, drives_[axis].gear()));
+    encoder.move_without_edges(steps.began(i), kPlantStep, steps.position(i, axis));
     if (!shows_no_more_than_lines(axis, nearest_count(encoder.start()), steps.began(i), spacing)) return false;
   }
   return true;
 }
 
 // The same for a motion in the direction of the latest count, which is not too fast: only its last steps are looked at.
-bool Plant::follow_one_way(std::size_t axis, Subcounts target) {
-  IncrementalEncoder& encoder = encoders_[axis];
+bool Plant::follow_one_way(std::size_t axis) {
   const TickSteps& steps = ticks_->steps;
-  IncrementalEncoder::Motions motions = encoder.motions();
-  const IncrementalEncoder::Motion latest = motions.present;
-  const Counts from = nearest_count(latest.target), to = nearest_count(target);
+  IncrementalEncoder::Motions& motions = encoders_[axis].motions_to_change();
+  const Subcounts begin = motions.present.target;
+  const std::size_t last = steps.size() - 1;
+  const auto step = [&](std::size_t i) {
+    const Subcounts start = i == 0 ? begin : steps.position(i - 1, axis);
+    return IncrementalEncoder::Motion{steps.began(i), kPlantStep, start, steps.position(i, axis)};
+  };
+  motions.before = last == 0 ? motions.present : step(last - 1);
+  motions.present = step(last);
+  const Counts from = nearest_count(begin), to = nearest_count(motions.present.target);
+  if (from == to) return true;
   if (!switches_[axis].are_steady(from, to) || !passes_index(axis, from, to)) return false;
 
-  const IncrementalEncoder::Motion counted = motions.counted;
-  int found = 0;
-  motions.before = latest;
-  for (std::size_t i = steps.size(); i-- > 0;) {
-    const Subcounts start = i == 0 ? latest.target : steps.position(i - 1, axis, drives_[axis].gear());
-    const IncrementalEncoder::Motion motion{
-        .from = steps.began(i), .length = kPlantStep, .start = start, .target = target};
-    if (i + 1 == steps.size()) motions.present = motion;
-    if (i + 2 == steps.size()) motions.before = motion;
-    if (nearest_count(start) != nearest_count(target)) {
-      (found == 0 ? motions.counted : motions.counted_before) = motion;
-      if (found++ == 0) ticks_->changed_in[axis] = motion.from;
+  Counts after = to;
+  for (std::size_t i = last + 1, found = 0; found < 2 && after != from; --i) {
+    const Counts before = i == 1 ? from : nearest_count(steps.position(i - 2, axis));
+    if (before == std::exchange(after, before)) continue;
+    if (found++ == 0) {
+      motions.counted_before = motions.counted;
+      motions.counted = step(i - 1);
+      ticks_->changed_in[axis] = steps.began(i - 1);
+    } else {
+      motions.counted_before = step(i - 1);
     }
-    const bool enough = found == 2 || nearest_count(start) == from;
-    if (enough && i + 2 <= steps.size()) break;
-    target = start;
   }
-  if (found == 1) motions.counted_before = counted;
-  encoder.set_motions(motions);
   return true;
 }
 

@@ -46,6 +46,7 @@ void TickSteps::run(const TickPulses& tick, std::span<const ServoDrive> drives, 
       continue;
     }
     make_step(now, axes, mechanics, shafts);
+    find_positions(drives, shafts);
     moves = are_moving(shafts);
   }
   take_until(tick.ends - Cycles{1}, drives, shafts);
@@ -72,6 +73,7 @@ void TickSteps::begin(const TickPulses& tick, std::span<const ServoDrive> drives
     per_two_windows_[i] = 0.5 / window_[i];
     count_is_negative_[i] = pulses.count < 0;
     counts_per_pulse_[i] = (pulses.count < 0 ? -1 : +1) * drive.gear().counts_per_pulse();
+    begin_[i] = drive.gear().whole() * kSubcountsPerCount;
     plain_gears_ = plain_gears_ && drive.gear().counts_per_pulse() == 1.0;
     demands_.set(i, drive.demand());
   }
@@ -81,32 +83,35 @@ void TickSteps::begin(const TickPulses& tick, std::span<const ServoDrive> drives
 // floor((edges x elapsed + window) / (2 window)), as AxisPulses::rises_until(); the quarter keeps the product with the
 // inverse on the right side of whole numbers.
 bool TickSteps::take_until(Cycles at, std::span<const ServoDrive> drives, Shafts& shafts) {
-  const auto elapsed = static_cast<double>((at - begins_).value());
-  PerAxis<double> more;
-  double most = 0.0;
-  for (std::size_t i = 0; i < kAxes; ++i) {
-    double since = elapsed - first_[i];
-    since = since < 0.0 ? 0.0 : since;
-    since = since > window_[i] ? window_[i] : since;
-    const auto rises = static_cast<std::int32_t>((edges_[i] * since + rounding_[i]) * per_two_windows_[i]);
-    more[i] = static_cast<double>(rises) - taken_[i];
-    taken_[i] = static_cast<double>(rises);
+  const Pair elapsed = both(static_cast<double>((at - begins_).value()));
+  std::array<Pair, kAxisPairs> more;
+  Pair most_of_pair{};
+  for (std::size_t i = 0; i < kAxisPairs; ++i) {
+    const Pair since = smaller(larger(elapsed - first_.pair(i), both(0.0)), window_.pair(i));
+    const Pair rises = rounded_down((edges_.pair(i) * since + rounding_.pair(i)) * per_two_windows_.pair(i));
+    more[i] = rises - taken_.pair(i);
+    taken_.set_pair(i, rises);
+    most_of_pair = larger(more[i], most_of_pair);
   }
-  for (std::size_t i = 0; i < kAxes; ++i) most = more[i] > most ? more[i] : most;
+  const double most = most_of_pair[0] > most_of_pair[1] ? most_of_pair[0] : most_of_pair[1];
   if (most == 0.0) return false;
   if (most == 1.0) {
-    for (std::size_t i = 0; i < kAxes; ++i) shafts.error[i] -= more[i] * counts_per_pulse_[i];
+    for (std::size_t i = 0; i < kAxisPairs; ++i) {
+      shafts.error.set_pair(i, shafts.error.pair(i) - more[i] * counts_per_pulse_.pair(i));
+    }
   } else {
-    for (std::size_t i = 0; i < kAxes; ++i) {
-      shafts.error[i] = less_pulses(shafts.error[i], counts_per_pulse_[i], static_cast<int>(more[i]));
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      const int count = static_cast<int>(more[axis / 2][axis % 2]);
+      shafts.error[axis] = less_pulses(shafts.error[axis], counts_per_pulse_[axis], count);
     }
   }
   if (plain_gears_) {
-    for (std::size_t i = 0; i < kAxes; ++i) demands_.reference[i] += more[i] * counts_per_pulse_[i];
+    for (std::size_t i = 0; i < kAxisPairs; ++i) {
+      demands_.reference.set_pair(i, demands_.reference.pair(i) + more[i] * counts_per_pulse_.pair(i));
+    }
   } else {
     for (std::size_t i = 0; i < kAxes; ++i) {
-      const auto taken = static_cast<std::int64_t>(taken_[i]);
-      const ElectronicGear gear = drives[i].gear().after(count_is_negative_[i] ? -taken : taken);
+      const ElectronicGear gear = gear_of(drives[i], i);
       demands_.reference[i] = static_cast<double>(gear.whole()) + gear.fraction();
     }
   }
@@ -114,19 +119,42 @@ bool TickSteps::take_until(Cycles at, std::span<const ServoDrive> drives, Shafts
 }
 
 void TickSteps::make_step(Cycles now, std::uint8_t axes, Mechanics& mechanics, Shafts& shafts) {
-  const PerAxis<double> before = shafts.error;
+  const AxisNumbers before = shafts.error;
   moved_ |= mechanics.step(axes, demands_, shafts);
   Step& step = steps_[size_++];
   step.began = now;
-  step.taken = taken_;
-  step.error = shafts.error;
-  for (std::size_t i = 0; i < kAxes; ++i) {
-    const double size = std::fabs(shafts.error[i]), way = shafts.error[i] - before[i];
-    extremes_.smallest_error[i] = size < extremes_.smallest_error[i] ? size : extremes_.smallest_error[i];
-    extremes_.largest_error[i] = size > extremes_.largest_error[i] ? size : extremes_.largest_error[i];
-    extremes_.least_way[i] = way < extremes_.least_way[i] ? way : extremes_.least_way[i];
-    extremes_.most_way[i] = way > extremes_.most_way[i] ? way : extremes_.most_way[i];
+  for (std::size_t i = 0; i < kAxisPairs; ++i) {
+    const Pair size = magnitude(shafts.error.pair(i)), way = shafts.error.pair(i) - before.pair(i);
+    extremes_.smallest_error.set_pair(i, smaller(size, extremes_.smallest_error.pair(i)));
+    extremes_.largest_error.set_pair(i, larger(size, extremes_.largest_error.pair(i)));
+    extremes_.least_way.set_pair(i, smaller(way, extremes_.least_way.pair(i)));
+    extremes_.most_way.set_pair(i, larger(way, extremes_.most_way.pair(i)));
   }
+}
+
+// As ServoDrive::position_at(), operation for operation.
+void TickSteps::find_positions(std::span<const ServoDrive> drives, const Shafts& shafts) {
+  constexpr double kFarCounts = 0x1.0p26;  // further than a drive without an alarm, and within rounded_down()
+  constexpr auto kSubcounts = static_cast<double>(kSubcountsPerCount);
+  Step& step = steps_[size_ - 1];
+  WholePair far{};
+  for (std::size_t i = 0; i < kAxisPairs; ++i) {
+    const Pair error = shafts.error.pair(i);
+    const Pair from_reference = rounded_down(error * both(kSubcounts) + both(0.5));
+    const Pair reference = taken_.pair(i) * counts_per_pulse_.pair(i) * both(kSubcounts);
+    step.subcounts.set_pair(i, begin_.pair(i) + whole_numbers(reference + from_reference));
+    far |= magnitude(error) > both(kFarCounts);
+  }
+  if (plain_gears_ && !any(far)) return;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    const Subcounts position = ServoDrive::position_at(gear_of(drives[axis], axis), shafts.error[axis]);
+    step.subcounts[axis] = position.value();
+  }
+}
+
+ElectronicGear TickSteps::gear_of(const ServoDrive& drive, std::size_t axis) const {
+  const auto taken = static_cast<std::int64_t>(taken_[axis]);
+  return drive.gear().after(count_is_negative_[axis] ? -taken : taken);
 }
 
 bool TickSteps::are_moving(const Shafts& shafts) {

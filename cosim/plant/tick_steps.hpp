@@ -9,6 +9,7 @@
 
 #include "controller/base/axes.hpp"
 #include "controller/base/units.hpp"
+#include "cosim/logic/axis_pairs.hpp"
 #include "cosim/logic/whole_tick.hpp"
 #include "cosim/plant/electronic_gear.hpp"
 #include "cosim/plant/mechanics.hpp"
@@ -33,37 +34,37 @@ class TickSteps {
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] std::uint8_t moved() const { return moved_; }  // axes that took part, one bit each
   [[nodiscard]] Cycles began(std::size_t step) const { return steps_[step].began; }
-  // The error of the shaft after the step, and the position there. `gear`: as it was before the tick.
-  [[nodiscard]] double error(std::size_t step, std::size_t axis) const { return steps_[step].error[axis]; }
-  [[nodiscard]] Subcounts position(std::size_t step, std::size_t axis, const ElectronicGear& gear) const {
-    const auto taken = static_cast<std::int64_t>(steps_[step].taken[axis]);
-    return ServoDrive::position_at(gear.after(count_is_negative_[axis] ? -taken : taken), error(step, axis));
+  // Of the motor at the end of the step.
+  [[nodiscard]] Subcounts position(std::size_t step, std::size_t axis) const {
+    return Subcounts{steps_[step].subcounts[axis]};
   }
   // Of all steps: the magnitudes of the errors after them, and the way that the shaft moved in them.
   struct Extremes {
-    PerAxis<double> smallest_error, largest_error;  // [counts]
-    PerAxis<double> least_way, most_way;            // [counts], signed
+    AxisNumbers smallest_error, largest_error;  // [counts]
+    AxisNumbers least_way, most_way;            // [counts], signed
   };
   [[nodiscard]] const Extremes& extremes() const { return extremes_; }
 
  private:
   struct Step {
     Cycles began{};
-    PerAxis<double> taken;  // pulses up to its start
-    PerAxis<double> error;
+    AxisIntegers subcounts;
   };
 
   void begin(const TickPulses& tick, std::span<const ServoDrive> drives);
   bool take_until(Cycles at, std::span<const ServoDrive> drives, Shafts& shafts);
+  [[nodiscard]] ElectronicGear gear_of(const ServoDrive& drive, std::size_t axis) const;
   void make_step(Cycles now, std::uint8_t axes, Mechanics& mechanics, Shafts& shafts);
+  void find_positions(std::span<const ServoDrive> drives, const Shafts& shafts);
   [[nodiscard]] bool are_moving(const Shafts& shafts);
 
   // The pulses of the tick: its edges from here on.
   Cycles begins_{};
-  PerAxis<double> first_, window_, edges_, rounding_, per_two_windows_;
-  PerAxis<double> taken_;             // without the sign
-  PerAxis<double> counts_per_pulse_;  // with the sign
+  AxisNumbers first_, window_, edges_, rounding_, per_two_windows_;
+  AxisNumbers taken_;             // without the sign
+  AxisNumbers counts_per_pulse_;  // with the sign
   PerAxis<bool> count_is_negative_{};
+  AxisIntegers begin_;       // references at the begin of the tick [subcounts], of plain gears
   bool plain_gears_ = true;  // a pulse is a count
 
   MotorDemands demands_;

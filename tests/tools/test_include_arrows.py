@@ -165,6 +165,7 @@ PLANT = {
     "controller/base/",
     "cosim/plant/",
     "cosim/logic/axis_bits.hpp",
+    "cosim/logic/axis_pairs.hpp",
     "cosim/logic/pins.hpp",
     "cosim/logic/whole_tick.hpp",
     "cosim/robot/robot_spec.hpp",
