@@ -7,21 +7,12 @@
 
 namespace armature::host_memory {
 
-const BootReport* HostSide::boot_problem() const noexcept {
-  const bool none = std::atomic_ref<std::uint32_t>{memory_.boot.problem}.load(std::memory_order_acquire) == 0;
-  return none ? nullptr : &memory_.boot;
-}
-
 bool HostSide::submit(Source source, const Command& command) noexcept {
   return memory_.commands[static_cast<std::size_t>(source)].try_push(encode(command));
 }
 
 bool HostSide::has_room(Source source) const noexcept {
   return !memory_.commands[static_cast<std::size_t>(source)].is_full();
-}
-
-bool HostSide::has_events() const noexcept {
-  return !memory_.core0_events.is_empty() || !memory_.core1_events.is_empty();
 }
 
 void HostSide::publish_belt(std::int64_t counts) noexcept {
@@ -32,10 +23,6 @@ std::optional<Event> HostSide::next_event() noexcept {
   if (const std::optional<EventSlot> slot = memory_.core0_events.try_pop()) return decode(*slot);
   if (const std::optional<EventSlot> slot = memory_.core1_events.try_pop()) return decode(*slot);
   return std::nullopt;
-}
-
-std::uint32_t HostSide::lost_events() const noexcept {
-  return memory_.core0_events.lost + memory_.core1_events.lost;
 }
 
 std::optional<Telemetry> HostSide::new_telemetry() noexcept {

@@ -18,7 +18,9 @@ class HostSide {
   explicit HostSide(HostMemory& memory) noexcept : memory_{memory} {}
 
   // Why the controller has not started; null: it has, or will soon.
-  [[nodiscard]] const BootReport* boot_problem() const noexcept;
+  [[nodiscard]] const BootReport* boot_problem() const noexcept {
+    return __atomic_load_n(&memory_.boot.problem, __ATOMIC_ACQUIRE) == 0 ? nullptr : &memory_.boot;
+  }
 
   // Writes a command to the ring of its source; the host then wakes core 1. False when the ring is full.
   [[nodiscard]] bool submit(Source source, const Command& command) noexcept;
@@ -29,11 +31,20 @@ class HostSide {
   // Whether submit() has room for a command of the source.
   [[nodiscard]] bool has_room(Source source) const noexcept;
 
-  [[nodiscard]] bool has_events() const noexcept;
+  [[nodiscard]] bool has_events() const noexcept {
+    return !memory_.core0_events.is_empty() || !memory_.core1_events.is_empty();
+  }
+  // Whether any of next_event(), lost_events(), new_telemetry() and boot_problem() may have something to say.
+  [[nodiscard]] bool has_news() const noexcept {
+    return has_events() || lost_events() != 0 || boot_problem() != nullptr ||
+           __atomic_load_n(&memory_.telemetry.published, __ATOMIC_ACQUIRE) != last_published_;
+  }
   // The oldest unread event; events of core 0 come first.
   [[nodiscard]] std::optional<Event> next_event() noexcept;
   // Number of events for which a ring had no room. They are lost, so the host's information is incomplete.
-  [[nodiscard]] std::uint32_t lost_events() const noexcept;
+  [[nodiscard]] std::uint32_t lost_events() const noexcept {
+    return memory_.core0_events.lost + memory_.core1_events.lost;
+  }
 
   // The telemetry of the last tick, returned once for each published tick. Nothing when there is no new one, or while
   // it is being written.

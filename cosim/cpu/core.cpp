@@ -111,8 +111,11 @@ Interrupts Core::active(Interrupts mask) const {
 // The cycle before which this core runs alone; its own cycle or an earlier one if it does not.
 Cycles Core::horizon() const {
   if (is_ahead_) return horizon_;
-  if (simulation_ == nullptr || !takes_time_ || event_sent_ || simulation_->host_must_read()) return now_;
-  return std::min(simulation_->horizon(), other_->quiet_until());
+  return may_run_ahead() ? std::min(simulation_->horizon(), other_->quiet_until()) : now_;
+}
+
+bool Core::may_run_ahead() const {
+  return simulation_ != nullptr && takes_time_ && !event_sent_ && !simulation_->host_must_read();
 }
 
 // The cycle before which the core does nothing unless it is notified or interrupted; 0 if it may do something now.
@@ -191,11 +194,18 @@ Interrupts Core::wait_for_interrupt(Interrupts mask) noexcept {
   return lines;
 }
 
+// Whether this core runs alone up to and at the cycle `until`; then horizon_ is known.
+bool Core::passes_alone(Cycles until) {
+  if (is_ahead_) return until < horizon_ && !simulation_->host_must_read();
+  if (!may_run_ahead() || until >= other_->quiet_until()) return false;
+  horizon_ = std::min(simulation_->pass_time(until), other_->quiet_until());
+  return until < horizon_;
+}
+
 void Core::charge(Work work, std::int64_t times) noexcept {
   const Cycles end = now_ + Cycles{cycles_of(spec_, work) * times};
-  if (const Cycles until = horizon(); now_ < end && end < until && !simulation_->host_must_read()) {
+  if (now_ < end && passes_alone(end)) {
     is_ahead_ = true;
-    horizon_ = until;
     now_ = end;
     return;
   }

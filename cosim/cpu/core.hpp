@@ -78,6 +78,8 @@ class Core final : private RegisterBus {
 
   std::uint32_t access(const BusRequest& request);
   [[nodiscard]] Cycles horizon() const;
+  [[nodiscard]] bool may_run_ahead() const;
+  [[nodiscard]] bool passes_alone(Cycles until);
   [[nodiscard]] Cycles quiet_until() const;
   void wait_for_simulation();
   void sleep_until(Cycles cycle);

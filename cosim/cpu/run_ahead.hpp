@@ -17,6 +17,9 @@ class RunAhead {
   // The cycle before which nothing but this core can happen, as the simulation and the chip stand now; the present
   // cycle or an earlier one if the core must not run ahead. The processor knows what its other core does.
   [[nodiscard]] virtual Cycles horizon() const = 0;
+  // Lets time pass to `until` for a core that is at the present cycle. Returns the horizon there; `until` or an earlier
+  // cycle: something happens, and the core must wait.
+  virtual Cycles pass_time(Cycles until) = 0;
   // Whether the controller has written what the host must read in the cycle of the core.
   [[nodiscard]] virtual bool host_must_read() const = 0;
   // Brings the chip to `now`, the cycle of the core, which is before the horizon.

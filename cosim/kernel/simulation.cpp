@@ -101,11 +101,17 @@ void Simulation::move_arm(Cycles until) {
   for (;;) {
     const Cycles next = std::clamp(std::min(plant_.next_event(), ticks_.next_event()), now() + Cycles{1}, until);
     const bool others = soc_->advance(next, StopOn::kPinChange) && on_pins_changed();
-    if (ticks_.next_event() <= now() && ticks_.advance(now(), !wave_.is_open() && injector_.is_quiet())) drive_inputs();
+    begin_tick();
     if (others || core_was_ahead_ || over_ || now() >= until || soc_->has_response()) return;
     if (plant_.next_event() <= now()) advance_plant();
     if (over_) return;
   }
+}
+
+// Or computes the edges of one that has no end, if this is due.
+void Simulation::begin_tick() {
+  if (ticks_.next_event() > now()) return;
+  if (ticks_.advance(now(), !wave_.is_open() && injector_.is_quiet())) drive_inputs();
 }
 
 void Simulation::advance_plant() {
@@ -259,6 +265,7 @@ void Simulation::grant_bus() {
 // Called whenever a core has run, so everything that the controller has written since the last call happened in this
 // cycle.
 void Simulation::read_host_memory() {
+  if (!host_.has_news()) return;
   while (const std::optional<Event> event = host_.next_event()) {
     const auto* refused = std::get_if<MoveRefused>(&*event);
     if (const auto index = refused == nullptr ? std::nullopt : move_index(refused->tag)) program_.on_refused(*index);
@@ -283,6 +290,7 @@ bool Simulation::on_pins_changed() {
   others.step = out.step;
   others.dir = out.dir;
   others.heartbeat = out.heartbeat;
+  others.trigger = out.trigger;
   const bool triggers = out.trigger && !trigger_was_high_;
   if (triggers && ticks_.on_trigger(now())) drive_inputs();
   plant_.on_outputs(now(), out);
@@ -295,6 +303,7 @@ bool Simulation::on_pins_changed() {
   trigger_was_high_ = out.trigger;
   const bool concern_others = others != out;
   if (out.irq != interrupts_) {
+    begin_tick();  // the core that wakes may run ahead in it
     processor_->set_interrupts(interrupts_ = out.irq, now());
     read_host_memory();
   }

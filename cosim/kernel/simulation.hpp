@@ -92,13 +92,18 @@ class Simulation final : private RunAhead {
  private:
   // RunAhead
   Cycles horizon() const override;
+  Cycles pass_time(Cycles until) override;
   bool host_must_read() const override;
   void catch_up(Cycles until) override;
   Outcome try_access(const BusRequest& request, Cycles at, Cycles horizon) override;
 
+  [[nodiscard]] Cycles horizon_of_others() const;
+  [[nodiscard]] bool interrupts_fell() const;
+
   void step();
   [[nodiscard]] Cycles end() const;
   void move_arm(Cycles until);
+  void begin_tick();
   void advance_plant();
   void compute_edges();
   [[nodiscard]] Cycles next_event() const;

@@ -43,7 +43,7 @@ class Logic {
 
   // Edges up to `until` that need not be computed. Throws std::logic_error when time would go back.
   void pass(Cycles until) {
-    if (until < now_) throw std::logic_error{"model: a block asks for an edge in the past"};
+    if (until < now_) throw_past();
     now_ = until;
   }
 
@@ -62,17 +62,46 @@ class Logic {
     return show_outputs();
   }
 
+  // The next edge, without an access: only blocks that must be computed are.
+  bool edge() {
+    if (!wakes_known_) find_wakes();
+    now_ += Cycles{1};
+    // All levels before the edge.
+    const PulseInputs pulses = pulse_inputs();
+    const DecoderInputs decoder = decoder_inputs();
+    const auto is_due = [this](std::size_t port) { return wakes_[port] <= now_; };
+    const bool gpio = is_due(0), timer = is_due(1), uart = is_due(2), generators = is_due(3), decoders = is_due(4);
+    if (gpio) gpio_.edge(now_, gpio_inputs(), {});
+    if (timer) timer_.edge(now_, timer_inputs(), {});
+    if (uart) uart_.edge(now_, uart_inputs(), {});
+    if (generators) pulses_.edge(now_, pulses, {});
+    if (decoders) {
+      const std::array<Strobes, kBlocks - 4> none;
+      std::array<Answer, kBlocks - 4> answers;
+      variant_.edge(now_, in_, decoder, none.data(), answers.data());
+    }
+    const bool changed = show_outputs();
+    if (gpio) wakes_[0] = gpio_.wakes_at(now_, gpio_inputs());
+    if (timer) wakes_[1] = timer_.wakes_at(now_, timer_inputs());
+    if (uart) wakes_[2] = uart_.wakes_at(now_, uart_inputs());
+    // Outputs are inputs of these.
+    if (generators || changed) wakes_[3] = pulses_.wakes_at(now_, pulse_inputs());
+    if (decoders || changed) wakes_[4] = variant_.wakes_at(now_, in_, decoder_inputs());
+    next_wake_ = std::ranges::min(wakes_);
+    return changed;
+  }
+
   // The next edge, with an access at this port only.
   bool edge(std::size_t port, const Strobes& access, Answer& answer) {
-    if (wakes_at() <= now_ + Cycles{1} || port >= kQuickPorts) {
-      Accesses accesses;
-      Answers answers;
-      accesses[port] = access;
-      const bool changed = edge(accesses, answers);
-      answer = answers[port];
-      return changed;
-    }
-    now_ += Cycles{1};
+    const Cycles next = now_ + Cycles{1};
+    return wakes_at() > next ? this->access(port, next, access, answer) : edge_of_all(port, access, answer);
+  }
+
+  // The edge `at`, before wakes_at(), with an access at this port only.
+  bool access(std::size_t port, Cycles at, const Strobes& access, Answer& answer) {
+    pass(at - Cycles{1});
+    if (port >= kQuickPorts) return edge_of_all(port, access, answer);
+    now_ = at;
     const auto of = [&](auto& slot) {
       answer = slot.access(now_, access);
       const Cycles before = std::exchange(wakes_[port], slot.block().wakes_at());
@@ -139,6 +168,8 @@ class Logic {
   // The blocks behind these ports can have an edge alone; the decoders can, if they are one block.
   static constexpr std::size_t kQuickPorts = kBlocks == 5 ? 5 : 4;
 
+  [[noreturn]] static void throw_past() { throw std::logic_error{"model: a block asks for an edge in the past"}; }
+
   [[nodiscard]] GpioInputs gpio_inputs() const { return {.gpio1 = in_.gpio1, .gpio2 = in_.gpio}; }
   [[nodiscard]] TimerInputs timer_inputs() const { return {.capture_trig = in_.capture_trig}; }
   [[nodiscard]] UartInputs uart_inputs() const {
@@ -167,6 +198,15 @@ class Logic {
               variant_.wakes_at(now_, in_, decoder_inputs())};
     next_wake_ = std::ranges::min(wakes_);
     wakes_known_ = true;
+  }
+
+  bool edge_of_all(std::size_t port, const Strobes& access, Answer& answer) {
+    Accesses accesses;
+    Answers answers;
+    accesses[port] = access;
+    const bool changed = edge(accesses, answers);
+    answer = answers[port];
+    return changed;
   }
 
   // Returns whether an output has changed.

@@ -46,8 +46,8 @@ class ModelFabric final : public Fabric {
 
  private:
   bool edge() {
+    if (!bus_.is_active(master_)) return logic_.edge();
     typename Logic<Variant>::Answers answers;
-    if (!bus_.is_active(master_)) return logic_.edge({}, answers);
     const bool changed = logic_.edge(bus_.accesses(), answers);
     bus_.edge(logic_.now(), master_, answers);
     return changed;

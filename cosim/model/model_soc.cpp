@@ -77,19 +77,21 @@ class ModelSoc final : public Soc {
   }
 
   Progress access(const BusRequest& request, Cycles at, Cycles limit) override {
-    QuickAccess access = quick_access(request, at - stood_, times_, Variant::kBases);
-    const bool alone = quick_ && clock_running_ && is_silent() && access.port && access.ends + stood_ <= limit &&
-                       logic_.wakes_at() > access.executed;
+    const std::optional<std::size_t> port = port_of(request.addr, Variant::kBases);
+    const Cycles start = at - stood_, executed = start + times_.executed;
+    const Cycles ends = start + (request.write ? times_.write_ends : times_.read_ends);
+    const bool alone =
+        quick_ && clock_running_ && is_silent() && port && ends + stood_ <= limit && logic_.wakes_at() > executed;
     if (!alone) return Soc::access(request, at, limit);
-    logic_.pass(access.executed - Cycles{1});
-    const bool changed = logic_.edge(*access.port, access.strobes(), access.answer);
-    if (changed || logic_.wakes_at() <= access.ends) {
-      access_ = access;
-      if (changed) return {.pins_changed = true, .ends = now()};
-      return run_access(limit);
+    Answer answer;
+    const bool changed = logic_.access(*port, executed, strobes_of(request), answer);
+    if (changed || logic_.wakes_at() <= ends) {
+      access_ = {request, port, start, executed, ends, answer};
+      if (changed) return {.pins_changed = true};
+      return continue_access(limit);
     }
-    logic_.pass(access.ends);
-    return {.response = access.response(), .ends = access.ends + stood_, .quiet_until = logic_.wakes_at() + stood_};
+    logic_.pass(ends);
+    return {response_of(request, answer), false, ends + stood_, logic_.wakes_at() + stood_};
   }
 
   [[nodiscard]] bool has_response() const override { return response_.has_value(); }
@@ -143,8 +145,7 @@ class ModelSoc final : public Soc {
   bool edge() {
     const bool executes = access_ && access_->port && access_->executed == logic_.now() + Cycles{1};
     if (executes) return logic_.edge(*access_->port, access_->strobes(), access_->answer);
-    Answers answers;
-    const bool changed = logic_.edge({}, answers);
+    const bool changed = logic_.edge();
     if (access_ && access_->ends == logic_.now()) end_access();
     return changed;
   }

@@ -5,10 +5,10 @@ namespace armature::cosim {
 Soc::Progress Soc::access(const BusRequest& request, Cycles at, Cycles limit) {
   advance(at, StopOn::kAccess);
   start(request);
-  return run_access(limit);
+  return continue_access(limit);
 }
 
-Soc::Progress Soc::run_access(Cycles limit) {
+Soc::Progress Soc::continue_access(Cycles limit) {
   const bool changed = advance(limit, StopOn::kPinChange);
   return {.response = pop_response(), .pins_changed = changed, .ends = now(), .quiet_until = quiet_until()};
 }

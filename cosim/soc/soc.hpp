@@ -68,6 +68,8 @@ class Soc {
     Cycles quiet_until{};                   // quiet_until() if the access has ended
   };
   virtual Progress access(const BusRequest& request, Cycles at, Cycles limit);
+  // The rest of access(), after a change of an output has ended it.
+  Progress continue_access(Cycles limit);
 
   // Whether a response waits for pop_response().
   [[nodiscard]] virtual bool has_response() const = 0;
@@ -94,10 +96,6 @@ class Soc {
   virtual void add_to_waves(const SoftwareSignals&) {}  // as Fabric::add_to_waves
   virtual void open_wave(const std::filesystem::path& file, WaveFormat format) = 0;
   virtual void close_wave() = 0;
-
- protected:
-  // The rest of access(), after start().
-  Progress run_access(Cycles limit);
 };
 
 }  // namespace armature::cosim

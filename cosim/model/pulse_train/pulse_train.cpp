@@ -130,8 +130,8 @@ void PulseTrain::find_wake(Cycles at, const PulseInputs& in) {
   const StopControl::Inputs control = stop_inputs(in.trigger);
   const bool stops = stop_.stops(control);
   find_axes_wake(at);
-  const bool running = std::any_of(axes_.begin(), axes_.end(), [](const PulseAxis& axis) { return axis.is_running(); });
-  const bool free_due = in.trigger || !pins_.are_settled(arm_pins(in)) || (stops && running);
+  const auto runs = [](const PulseAxis& axis) { return axis.is_running(); };
+  const bool free_due = in.trigger || !pins_.are_settled(arm_pins(in)) || (stops && std::ranges::any_of(axes_, runs));
   if (gated_clock_stopped_) {
     wakes_at_ = free_due ? at + Cycles{1} : axes_wake_at_;
     return;

@@ -173,6 +173,7 @@ struct QuietSimulation final : RunAhead {
   std::vector<std::int64_t> accesses{}, caught_up{};
 
   Cycles horizon() const override { return quiet_until; }
+  Cycles pass_time(Cycles) override { return quiet_until; }
   bool host_must_read() const override { return unread; }
   void catch_up(Cycles now) override { caught_up.push_back(now.value()); }
   Outcome try_access(const BusRequest&, Cycles now, Cycles horizon) override {
