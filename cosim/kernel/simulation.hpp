@@ -99,6 +99,8 @@ class Simulation final : private RunAhead {
 
   [[nodiscard]] Cycles horizon_of_others() const;
   [[nodiscard]] bool interrupts_fell() const;
+  Outcome continue_access(Soc::Progress progress, const BusRequest& request, Cycles at, Cycles horizon);
+  Outcome end_access(const Soc::Progress& progress, const BusRequest& request, Cycles at, Cycles horizon);
 
   void step();
   [[nodiscard]] Cycles end() const;

@@ -44,27 +44,39 @@ bool Simulation::interrupts_fell() const {
   return others == seen_;
 }
 
-// The core waits for the response, if it does not get it here: a pin has changed, or the access ends too late or with
-// an error.
 RunAhead::Outcome Simulation::try_access(const BusRequest& request, Cycles at, Cycles horizon) {
   if (host_must_read() || ticks_.disturbs(request)) return {};
   core_was_ahead_ = true;
-  Soc::Progress progress = soc_->access(request, at, horizon - Cycles{1});
+  const Soc::Progress progress = soc_->access(request, at, horizon - Cycles{1});
+  if (progress.pins_changed || !progress.response || progress.response->error != BusError::kNone) [[unlikely]] {
+    return continue_access(progress, request, at, horizon);
+  }
+  return end_access(progress, request, at, horizon);
+}
+
+// The core waits for the response, if it does not get it here: another pin than an interrupt has changed, or the access
+// ends too late or with an error.
+RunAhead::Outcome Simulation::continue_access(Soc::Progress progress, const BusRequest& request, Cycles at,
+                                              Cycles horizon) {
   while (progress.pins_changed && !progress.response && interrupts_fell()) {
     on_pins_changed();
     progress = soc_->continue_access(horizon - Cycles{1});
   }
-  const auto& [response, pins_changed, ends, quiet_until] = progress;
-  if (!response || pins_changed || response->error != BusError::kNone) {
-    access_ = Processor::Access{.core = 0, .request = request};
-    access_since_ = at;
-    response_ = response;
-    pins_changed_ = pins_changed;
-    return {.access = Access::kBegun};
+  if (progress.response && !progress.pins_changed && progress.response->error == BusError::kNone) {
+    return end_access(progress, request, at, horizon);
   }
-  bus_time_[0] += ends - at;
-  if (!check_access(request, *response, ends)) return {.access = Access::kBegun};  // the run is over
-  return {Access::kDone, response->data, ends, std::min(horizon, quiet_until)};
+  access_ = Processor::Access{.core = 0, .request = request};
+  access_since_ = at;
+  response_ = progress.response;
+  pins_changed_ = progress.pins_changed;
+  return {.access = Access::kBegun};
+}
+
+RunAhead::Outcome Simulation::end_access(const Soc::Progress& progress, const BusRequest& request, Cycles at,
+                                         Cycles horizon) {
+  bus_time_[0] += progress.ends - at;
+  if (!check_access(request, *progress.response, progress.ends)) return {.access = Access::kBegun};  // the run is over
+  return {Access::kDone, progress.response->data, progress.ends, std::min(horizon, progress.quiet_until)};
 }
 
 }  // namespace armature::cosim

@@ -82,16 +82,16 @@ class ModelSoc final : public Soc {
     const Cycles ends = start + (request.write ? times_.write_ends : times_.read_ends);
     const bool alone =
         quick_ && clock_running_ && is_silent() && port && ends + stood_ <= limit && logic_.wakes_at() > executed;
-    if (!alone) return Soc::access(request, at, limit);
+    if (!alone) [[unlikely]]
+      return Soc::access(request, at, limit);
     Answer answer;
     const bool changed = logic_.access(*port, executed, strobes_of(request), answer);
-    if (changed || logic_.wakes_at() <= ends) {
-      access_ = {request, port, start, executed, ends, answer};
-      if (changed) return {.pins_changed = true};
-      return continue_access(limit);
+    const Cycles quiet_until = logic_.wakes_at();
+    if (changed || quiet_until <= ends) [[unlikely]] {
+      return disturbed({request, port, start, executed, ends, answer}, changed, limit);
     }
     logic_.pass(ends);
-    return {response_of(request, answer), false, ends + stood_, logic_.wakes_at() + stood_};
+    return {response_of(request, answer), false, ends + stood_, quiet_until + stood_};
   }
 
   [[nodiscard]] bool has_response() const override { return response_.has_value(); }
@@ -118,6 +118,12 @@ class ModelSoc final : public Soc {
 
  private:
   using Answers = typename Logic<Variant>::Answers;
+
+  // The rest of an access that was executed, during which something else happens.
+  Progress disturbed(const QuickAccess& access, bool changed, Cycles limit) {
+    access_ = access;
+    return changed ? Progress{.pins_changed = true} : continue_access(limit);
+  }
 
   // Whether neither handshakes nor a waveform need every edge.
   [[nodiscard]] bool is_silent() const { return !handshakes_ && !wave_.is_open(); }

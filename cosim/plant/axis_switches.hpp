@@ -2,11 +2,13 @@
 // its range: the home switch between two angles, a limit switch from its angle to the end of the travel.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <optional>
 
 #include "controller/base/units.hpp"
+#include "cosim/plant/subcounts.hpp"
 #include "cosim/robot/robot_spec.hpp"
 
 namespace armature::cosim {
@@ -25,6 +27,21 @@ class AxisSwitches {
   // Whether every switch has one level at all counts between the two.
   [[nodiscard]] bool are_steady(Counts from, Counts to) const {
     return home_.is_steady(from, to) && limit_neg_.is_steady(from, to) && limit_pos_.is_steady(from, to);
+  }
+
+  // The counts around this one at which no switch changes.
+  [[nodiscard]] CountRange steady_around(Counts count) const {
+    CountRange steady{Counts{-kFar}, Counts{kFar}};
+    for (const Range& range : {home_, limit_neg_, limit_pos_}) {
+      for (const Counts edge : {range.first, range.last + Counts{1}}) {  // the levels below it and from it on differ
+        if (count < edge) {
+          steady.max = std::min(steady.max, edge - Counts{1});
+        } else {
+          steady.min = std::max(steady.min, edge);
+        }
+      }
+    }
+    return steady;
   }
 
   [[nodiscard]] bool home(Counts count) const { return home_.has(count); }

@@ -16,7 +16,10 @@ constexpr std::int64_t floor_div(std::int64_t a, std::int64_t b) {
 // The count that the encoder shows `elapsed` cycles after the start of the motion.
 Counts count_in(const IncrementalEncoder::Motion& motion, std::int64_t elapsed) {
   if (elapsed >= motion.length.value()) return nearest_count(motion.target);
-  const std::int64_t moved = floor_div((motion.target - motion.start).value() * elapsed, motion.length.value());
+  const std::int64_t way = (motion.target - motion.start).value() * elapsed;
+  // A constant needs no division.
+  const std::int64_t moved =
+      motion.length == kPlantStep ? floor_div(way, kPlantStep.value()) : floor_div(way, motion.length.value());
   return nearest_count(motion.start + Subcounts{moved});
 }
 

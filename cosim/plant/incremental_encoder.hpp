@@ -17,11 +17,6 @@
 
 namespace armature::cosim {
 
-struct CountRange {
-  Counts min{};
-  Counts max{};
-};
-
 class IncrementalEncoder {
  public:
   // Four counts per line; a positive multiple of 4, else std::invalid_argument. Starts at the position of `start`.

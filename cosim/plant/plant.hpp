@@ -90,7 +90,7 @@ class Plant {
   [[nodiscard]] Pulses dropped_pulses(std::size_t axis) const { return drives_[axis].dropped_pulses(); }
   [[nodiscard]] Pulses ignored_pulses(std::size_t axis) const { return drives_[axis].ignored_pulses(); }
   [[nodiscard]] Counts motor_counts(std::size_t axis) const {
-    return ticks_ ? encoders_[axis].count_after(ticks_->counted_until) : encoders_[axis].count();
+    return ticks_ ? ticks_->counts[axis] : encoders_[axis].count();
   }
   // The smallest and the largest count that the encoder showed from cycle `from` up to now.
   [[nodiscard]] CountRange motor_counts_since(std::size_t axis, Cycles from) const {
@@ -131,6 +131,7 @@ class Plant {
   bool follow_one_way(std::size_t axis);
   bool follow_each_step(std::size_t axis, Cycles spacing);
   bool shows_no_more_than_lines(std::size_t axis, Counts from, Cycles now, Cycles spacing);
+  [[nodiscard]] CountRange quiet_around(std::size_t axis, Counts count) const;
   bool passes_index(std::size_t axis, Counts from, Counts to);
   [[nodiscard]] CountRange counts_in_tick(std::size_t axis, Cycles from) const;
 

@@ -23,6 +23,7 @@ bool Plant::begin_tick(const TickPulses& tick, Cycles spacing) {
       const Subcounts moved = encoders_[axis].target() - encoders_[axis].start();
       ticks_->direction[axis] = moved < Subcounts{} ? -1 : +1;
       ticks_->changed_in[axis] = grid_from(tick.begins) - kPlantStep;
+      ticks_->quiet[axis] = {.min = Counts{1}, .max = Counts{0}};
     }
   }
   PlantTicks::State& begin = ticks_->begin;
@@ -33,7 +34,8 @@ bool Plant::begin_tick(const TickPulses& tick, Cycles spacing) {
   for (std::size_t axis = 0; axis < kAxes; ++axis) begin.motions[axis] = encoders_[axis].motions();
   ticks_->index.fill(std::nullopt);
   if (finishes_step(tick.begins, spacing) && run_steps(tick, spacing)) {
-    ticks_->counted_until = tick.ends - Cycles{2};
+    const Cycles until = tick.ends - Cycles{2};
+    for (std::size_t axis = 0; axis < kAxes; ++axis) ticks_->counts[axis] = encoders_[axis].count_after(until);
     return true;
   }
   revert_tick();
@@ -137,7 +139,11 @@ bool Plant::follow_one_way(std::size_t axis) {
   motions.present = step(last);
   const Counts from = nearest_count(begin), to = nearest_count(motions.present.target);
   if (from == to) return true;
-  if (!switches_[axis].are_steady(from, to) || !passes_index(axis, from, to)) return false;
+  const CountRange& quiet = ticks_->quiet[axis];
+  if (!quiet.has(from) || !quiet.has(to)) {
+    if (!switches_[axis].are_steady(from, to) || !passes_index(axis, from, to)) return false;
+    ticks_->quiet[axis] = quiet_around(axis, to);
+  }
 
   Counts after = to;
   for (std::size_t i = last + 1, found = 0; found < 2 && after != from; --i) {
@@ -169,6 +175,15 @@ bool Plant::shows_no_more_than_lines(std::size_t axis, Counts from, Cycles now, 
   if (!switches_[axis].are_steady(from, to)) return false;
 
   return passes_index(axis, from, to);
+}
+
+// The counts around this one between which no switch changes and no index comes; none where the index is.
+CountRange Plant::quiet_around(std::size_t axis, Counts count) const {
+  const std::int64_t turn = encoders_[axis].counts_per_rev();
+  const std::int64_t remainder = count.value() % turn, since = remainder < 0 ? remainder + turn : remainder;
+  const CountRange steady = switches_[axis].steady_around(count);
+  return {.min = std::max(steady.min, count - Counts{since - 1}),
+          .max = std::min(steady.max, count + Counts{turn - since - 1})};
 }
 
 // The index comes with a multiple of a revolution that is reached. Returns false if it comes again in the tick.

@@ -26,7 +26,8 @@ struct PlantTicks {
   State begin{};
   TickSteps steps{};                       // of the latest tick
   bool first = true;                       // edges were computed before this tick
-  Cycles counted_until{};                  // the edge before the one that raises the trigger pin at its end
+  PerAxis<Counts> counts{};                // after the edge before the one that raises the trigger pin at its end
+  PerAxis<CountRange> quiet{};             // counts between which only a and b change; none: not known
   PerAxis<int> direction{};                // of the latest change of a count
   PerAxis<Cycles> changed_in{};            // the step in which it was, or may have been
   PerAxis<std::optional<Counts>> index{};  // the count at which the index came in this tick

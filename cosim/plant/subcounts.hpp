@@ -10,6 +10,13 @@ namespace armature::cosim {
 // Encoder counts in units of 2^-24; 64 bits reach +-5e11 counts.
 using Subcounts = Quantity<struct SubcountsTag, std::int64_t>;
 
+struct CountRange {
+  Counts min{};
+  Counts max{};
+
+  [[nodiscard]] bool has(Counts count) const { return count >= min && count <= max; }
+};
+
 inline constexpr int kSubcountBits = 24;
 inline constexpr std::int64_t kSubcountsPerCount = std::int64_t{1} << kSubcountBits;
 

@@ -57,6 +57,8 @@ TEST(AxisSwitches, AreSteadyWhereNoneChanges) {
       steady = steady && level(to) == level(from);
       ASSERT_EQ(switches.are_steady(Counts{from}, Counts{to}), steady) << from << " to " << to;
       ASSERT_EQ(switches.are_steady(Counts{to}, Counts{from}), steady) << to << " to " << from;
+      ASSERT_EQ(switches.steady_around(Counts{from}).has(Counts{to}), steady) << to << " around " << from;
+      ASSERT_EQ(switches.steady_around(Counts{to}).has(Counts{from}), steady) << from << " around " << to;
     }
   }
 }
