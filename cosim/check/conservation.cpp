@@ -11,7 +11,6 @@
 #include "controller/regs/pulse_width_regs.hpp"
 #include "controller/regs/soc_map.hpp"
 #include "cosim/bus/register_address.hpp"
-#include "cosim/logic/axis_bits.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -62,16 +61,6 @@ void Conservation::on_clock(Cycles now, bool runs) {
   }
 }
 
-// ---- pins ----
-
-void Conservation::on_outputs(const SocOutputs& out) {
-  for_each_bit(out.step & ~step_,
-               [&](std::size_t axis) { pins_[axis] += has_bit(out.dir, axis) == kDirForward ? 1 : -1; });
-  step_ = out.step;
-  servo_on_ = out.servo_on;
-  servo_was_off_ |= static_cast<std::uint8_t>(~out.servo_on);
-}
-
 // ---- triggers ----
 
 void Conservation::on_trigger(Cycles now) {
@@ -89,6 +78,7 @@ void Conservation::on_trigger(Cycles now) {
   pending_.assign(1, CountSet{});
   pending_may_be_active_ = false;
   pins_at_trigger_ = pins_;
+  edges_of_tick_ = std::exchange(edges_, {});
   servo_was_off_ = static_cast<std::uint8_t>(~servo_on_);
   trigger_ = logic_time(now);
   ++triggers_;

@@ -58,11 +58,9 @@ class Conservation {
   // The clock of the logic runs, or stands still, after its edge `now`.
   void on_clock(Cycles now, bool runs);
   // Call after each clock edge on which an output changed, after Plant::on_outputs().
-  void on_outputs(const SocOutputs& out);
+  void on_outputs(Cycles now, const SocOutputs& out);
   // Instead of on_outputs() for the edges of the pulses of a whole tick. Call it before on_trigger() at its end.
-  void on_tick(const TickPulses& tick) {
-    for (std::size_t axis = 0; axis < kAxes; ++axis) pins_[axis] += tick.axes[axis].count;
-  }
+  void on_tick(const TickPulses& tick);
   // Call after the edge that raised the trigger pin, after on_outputs() of that cycle.
   void on_trigger(Cycles now);
   // A bus access without error whose response the core receives at `now`.
@@ -76,6 +74,13 @@ class Conservation {
 
   // Rising edges on the step pin since reset, net of direction.
   [[nodiscard]] std::int64_t pin_pulses(std::size_t axis) const { return pins_[axis]; }
+  // Edges on the pins of an axis in a tick; 0: there was none.
+  struct PinEdges {
+    Cycles first_rise{};  // of step
+    Cycles turned{};      // the latest change of dir
+  };
+  // In the tick that the latest trigger has ended.
+  [[nodiscard]] const PinEdges& edges_of_tick(std::size_t axis) const { return edges_of_tick_[axis]; }
 
  private:
   using CountSet = PerAxis<std::int32_t>;
@@ -122,9 +127,12 @@ class Conservation {
 
   // pins
   std::uint8_t step_ = 0;
+  std::uint8_t dir_ = 0;
   std::uint8_t servo_on_ = 0;
   std::uint8_t servo_was_off_ = 0x3F;  // at some time in this tick
   PerAxis<std::int64_t> pins_{};
+  PerAxis<PinEdges> edges_{};  // since the last trigger
+  PerAxis<PinEdges> edges_of_tick_{};
   PerAxis<std::int64_t> pins_at_trigger_{};
   PerAxis<std::int64_t> ignored_at_trigger_{};
 

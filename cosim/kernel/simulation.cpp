@@ -92,7 +92,7 @@ void Simulation::step() {
   const bool was_ahead = std::exchange(core_was_ahead_, false);
   if (was_ahead && (pins_changed_ || response_ || soc_->has_response() || processor_->next_event() <= now())) return;
   const Cycles next = std::clamp(next_event(), now() + Cycles{1}, std::min(end(), until_));
-  if (wave_.is_open()) software_.show(*processor_, access_, triggers_ - 1, telemetry_.state);
+  if (wave_.is_open()) software_.show(*processor_, access_, triggers_ - 1, row_.telemetry.state);
   move_arm(next);
 }
 
@@ -278,7 +278,7 @@ void Simulation::read_host_memory() {
       drop_program(Refusal::kReplaced);
     }
   }
-  if (const std::optional<Telemetry> telemetry = host_.new_telemetry()) telemetry_ = *telemetry;
+  if (const std::optional<Telemetry> telemetry = host_.new_telemetry()) row_.telemetry = *telemetry;
   if (const host_memory::BootReport* report = host_.boot_problem()) fail(boot_text(*report));
   if (host_.lost_events() != 0) fail("the host memory of the controller had no room for an event");
 }
@@ -294,7 +294,7 @@ bool Simulation::on_pins_changed() {
   const bool triggers = out.trigger && !trigger_was_high_;
   if (triggers && ticks_.on_trigger(now())) drive_inputs();
   plant_.on_outputs(now(), out);
-  conservation_.on_outputs(out);
+  conservation_.on_outputs(now(), out);
   if (serial_) serial_->on_level(now(), out.uart_txd);
   if (const auto& violation = plant_.violation()) fail(describe(*violation));
   if (out.gpio != tool_outputs_) report_outputs(out.gpio);
@@ -334,26 +334,28 @@ void Simulation::on_trigger() {
   if (triggers_ == 0) processor_->reset_worst_tick();
 
   const std::uint8_t servo_on = soc_->outputs().servo_on;
-  TraceRow row;
-  row.telemetry = telemetry_;
-  row.tick = triggers_++;
-  row.cycle = now().value();
-  row.stopped = servo_was_on_ && servo_on == 0;
+  row_.tick = triggers_++;
+  row_.cycle = now().value();
+  row_.stopped = servo_was_on_ && servo_on == 0;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    row.pin_pulses[axis] = conservation_.pin_pulses(axis);
-    row.drive_pulses[axis] = plant_.drive_pulses(axis).value();
-    row.pulses_to_drop[axis] = plant_.pulses_to_drop(axis);
-    row.motor_counts[axis] = plant_.motor_counts(axis).value();
-    row.motor_deg[axis] = plant_.motor_deg(axis, now());
+    row_.pin_pulses[axis] = conservation_.pin_pulses(axis);
+    row_.pulses_to_drop[axis] = plant_.pulses_to_drop(axis);
+    row_.motor_counts[axis] = plant_.motor_counts(axis).value();
+    row_.first_rise[axis] = conservation_.edges_of_tick(axis).first_rise.value();
+    row_.turned[axis] = conservation_.edges_of_tick(axis).turned.value();
+    const IncrementalEncoder::Motion& motion = plant_.motion_before(axis, now());
+    row_.motor_from[axis] = motion.start.value();
+    row_.motor_to[axis] = motion.target.value();
   }
   const std::array<CoreLoad, 2> load = load_until_now();
   for (std::size_t core = 0; core < load.size(); ++core) {
-    row.load[core] = {.awake_cycles = load[core].awake_cycles - load_before_[core].awake_cycles,
-                      .bus_cycles = load[core].bus_cycles - load_before_[core].bus_cycles};
+    row_.load[core] = {.awake_cycles = load[core].awake_cycles - load_before_[core].awake_cycles,
+                       .bus_cycles = load[core].bus_cycles - load_before_[core].bus_cycles};
   }
   load_before_ = load;
   servo_was_on_ = servo_was_on_ || servo_on != 0;
-  listener_.on_row(row);
+  row_.tool_point.reset();
+  listener_.on_row(row_);
 }
 
 // Since the beginning of the run.

@@ -14,7 +14,6 @@
 #include "controller/host_memory/boot_memory.hpp"
 #include "controller/host_memory/host_side.hpp"
 #include "controller/message/event.hpp"
-#include "controller/message/telemetry.hpp"
 #include "cosim/belt/belt_motion.hpp"
 #include "cosim/check/conservation.hpp"
 #include "cosim/cpu/processor.hpp"
@@ -41,7 +40,8 @@ namespace armature::cosim {
 class SimulationListener {
  public:
   virtual ~SimulationListener() = default;
-  virtual void on_row(const TraceRow& row) = 0;                        // once per trigger
+  // Once per trigger. The row has no tool point; the listener may set it. Until the next trigger the row changes.
+  virtual void on_row(TraceRow& row) = 0;
   virtual void on_event(const Event& event, Cycles now) = 0;           // of the controller
   virtual void on_action(const ScriptAction& action, Cycles now) = 0;  // the scenario is about to do it
   virtual void on_signal(const Signal& signal, Cycles now) = 0;
@@ -168,7 +168,7 @@ class Simulation final : private RunAhead {
   Cycles longest_;  // duration of the scenario
   Cycles until_{};  // of advance()
   bool over_ = false;
-  Telemetry telemetry_;
+  TraceRow row_;  // of the latest trigger, but its telemetry is the latest
   std::int64_t triggers_ = 0;
   SimulationEnd end_;
 };

@@ -16,7 +16,7 @@ SimulationState Simulation::look() {
                         .bus_writes = end_.bus_writes,
                         .inputs = inputs(),
                         .outputs = soc_->outputs(),
-                        .telemetry = telemetry_};
+                        .telemetry = row_.telemetry};
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     state.drive_pulses[axis] = plant_.drive_pulses(axis);
     state.motor_counts[axis] = plant_.motor_counts(axis);

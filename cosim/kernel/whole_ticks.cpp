@@ -84,7 +84,7 @@ bool WholeTicks::leave(Cycles now) {
     const SocInputs& in = plant_.inputs();
     at = port_->catch_up(at, next, {.a = in.enc_a, .b = in.enc_b, .z = in.enc_z});
     plant_.on_outputs(at, soc_.outputs());
-    conservation_.on_outputs(soc_.outputs());
+    conservation_.on_outputs(at, soc_.outputs());
     if (plant_.next_event() <= at) plant_.advance(at);
   }
   return true;

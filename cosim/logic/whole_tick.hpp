@@ -24,6 +24,8 @@ struct AxisPulses {
 
   [[nodiscard]] std::int32_t pulses() const { return count < 0 ? -count : count; }
 
+  // The first rising edge, of at least one.
+  [[nodiscard]] Cycles first_rise() const { return first + Cycles{(window - 1) / (2 * pulses()) + 1}; }
   // Number of rising edges up to the edge `at`.
   [[nodiscard]] std::int32_t rises_until(Cycles at) const {
     const std::int64_t elapsed = (at - first).value();

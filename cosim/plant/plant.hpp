@@ -96,6 +96,11 @@ class Plant {
   [[nodiscard]] CountRange motor_counts_since(std::size_t axis, Cycles from) const {
     return ticks_ ? counts_in_tick(axis, from) : encoders_[axis].counts_since(from);
   }
+  // The latest step of the motor that began before `now`, or at most one step before that.
+  [[nodiscard]] const IncrementalEncoder::Motion& motion_before(std::size_t axis, Cycles now) const {
+    const IncrementalEncoder::Motions& motions = encoders_[axis].motions();
+    return motions.present.from < now ? motions.present : motions.before;
+  }
   // Motor position as a joint angle at `now`, which is not before the last event [deg].
   [[nodiscard]] double motor_deg(std::size_t axis, Cycles now) const {
     return encoders_[axis].position(now) * joint_deg_per_count_[axis];

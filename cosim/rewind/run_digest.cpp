@@ -13,10 +13,10 @@ namespace armature::cosim {
 void RunDigest::on_row(const TraceRow& row, const IntegerDigest&) {
   begin('r', {.tick = row.tick, .at = Cycles{row.cycle}});
   append_bytes(bytes_, row.telemetry);
-  for (const auto* counts : {&row.pin_pulses, &row.drive_pulses, &row.pulses_to_drop, &row.motor_counts}) {
+  for (const auto* counts : {&row.pin_pulses, &row.pulses_to_drop, &row.motor_counts, &row.first_rise, &row.turned,
+                             &row.motor_from, &row.motor_to}) {
     append_bytes(bytes_, *counts);
   }
-  append_bytes(bytes_, row.motor_deg);
   for (const CoreLoad& load : row.load) {
     append_bytes(bytes_, load.awake_cycles);
     append_bytes(bytes_, load.bus_cycles);

@@ -19,8 +19,7 @@ Run::Run(const Scenario& scenario, RunParts parts)
   if (needs_tool_point(scenario)) tool_.emplace(scenario);
 }
 
-void Run::on_row(const TraceRow& seen) {
-  TraceRow row = seen;
+void Run::on_row(TraceRow& row) {
   if (tool_) row.tool_point = tool_->measure(row.telemetry);
   digest_.add(row);
   for (RunListener* listener : listeners_) listener->on_row(row, digest_);

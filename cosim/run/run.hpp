@@ -62,7 +62,7 @@ class Run final : private SimulationListener {
   RunSummary finish();
 
  private:
-  void on_row(const TraceRow& seen) override;
+  void on_row(TraceRow& row) override;
   void on_event(const Event& event, Cycles now) override;
   void on_action(const ScriptAction& action, Cycles now) override;
   void on_signal(const Signal& signal, Cycles now) override;

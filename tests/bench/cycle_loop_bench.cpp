@@ -62,7 +62,7 @@ struct Figure {
 class Recording final : public cosim::test::SilentListener {
  public:
   explicit Recording(const Scenario& scenario) : facts_{scenario.robot, 1} {}
-  void on_row(const TraceRow& row) override {
+  void on_row(TraceRow& row) override {
     digest_.add(row);
     trace_.write(row, digest_);
     facts_.add(row);

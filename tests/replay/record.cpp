@@ -58,7 +58,7 @@ class Recorder final : public FabricWrapper {
 
 class Silent final : public cosim::test::SilentListener {
  public:
-  void on_row(const TraceRow& row) override {
+  void on_row(TraceRow& row) override {
     for (const std::int64_t pulses : row.pin_pulses) moved_ = moved_ || pulses != 0;
   }
   bool moved() const { return moved_; }

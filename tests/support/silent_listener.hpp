@@ -10,7 +10,7 @@ namespace armature::cosim::test {
 
 class SilentListener : public SimulationListener {
  public:
-  void on_row(const TraceRow&) override {}
+  void on_row(TraceRow&) override {}
   void on_event(const Event&, Cycles) override {}
   void on_action(const ScriptAction&, Cycles) override {}
   void on_signal(const Signal&, Cycles) override {}

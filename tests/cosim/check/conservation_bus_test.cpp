@@ -75,7 +75,7 @@ TEST(ConservationEmitted, MayBeOfEitherTriggerLongerWhenTheBusStalls) {
   Conservation check{bench.plant, stalling};
   SocOutputs pins;
   pins.servo_on = 0x3F;
-  check.on_outputs(pins);
+  check.on_outputs(Cycles{1}, pins);
   check.on_trigger(Cycles{1000});
   const std::uint32_t emitted = ConservationBench::pulse_train(regs::pulse_train::kEmittedOffset);
   check.on_trigger(Cycles{3500});

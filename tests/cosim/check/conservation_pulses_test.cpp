@@ -291,5 +291,26 @@ TEST(Conservation, TakesACommitWellAfterATriggerForTheNextTick) {
   EXPECT_TRUE(bench.check.violation());
 }
 
+TEST(ConservationEdges, AreTheFirstPulseAndTheLatestTurnOfATick) {
+  ConservationBench bench;
+  const auto edges = [&](std::size_t axis) { return bench.check.edges_of_tick(axis); };
+  bench.begin_tick({0, 0, 5, -3, 0, 0});
+  const Cycles first = bench.trigger();
+  bench.begin_tick({0, 0, 5, 2, 0, 0});
+  const Cycles second = bench.trigger();
+  EXPECT_EQ(edges(2).first_rise, first + Cycles{90});
+  EXPECT_EQ(edges(2).turned, first + Cycles{60});
+  EXPECT_EQ(edges(3).first_rise, first + Cycles{90});
+  EXPECT_EQ(edges(3).turned, Cycles{});  // the pin was low before
+  EXPECT_EQ(edges(0).first_rise, Cycles{});
+  bench.begin_tick({});
+  EXPECT_EQ(edges(2).first_rise, second + Cycles{90});
+  EXPECT_EQ(edges(2).turned, Cycles{});
+  EXPECT_EQ(edges(3).turned, second + Cycles{60});
+  bench.begin_tick({});
+  EXPECT_EQ(edges(2).first_rise, Cycles{});
+  EXPECT_EQ(edges(3).turned, Cycles{});
+}
+
 }  // namespace
 }  // namespace armature::cosim

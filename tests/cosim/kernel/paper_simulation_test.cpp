@@ -14,7 +14,7 @@ namespace {
 
 class PaperRows final : public test::SilentListener {
  public:
-  void on_row(const TraceRow& row) override { rows.push_back(row); }
+  void on_row(TraceRow& row) override { rows.push_back(row); }
   void on_event(const Event& event, Cycles) override {
     if (std::holds_alternative<MoveStarted>(event)) ++moves;
     if (std::holds_alternative<MoveRefused>(event)) ++refused;

@@ -25,8 +25,7 @@ class PathRecorder final : public test::SilentListener {
   PathRecorder(const Scenario& scenario, const std::filesystem::path& trace)
       : facts_{scenario.robot, 1}, tool_{scenario}, trace_{trace, 1, ToolColumns::kYes} {}
 
-  void on_row(const TraceRow& seen) override {
-    TraceRow row = seen;
+  void on_row(TraceRow& row) override {
     row.tool_point = tool_.measure(row.telemetry);
     facts_.add(row);
     digest_.add(row);

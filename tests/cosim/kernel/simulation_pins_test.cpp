@@ -24,7 +24,7 @@ struct Change {
 
 class PinRecorder final : public test::SilentListener {
  public:
-  void on_row(const TraceRow& row) override { rows.push_back(row); }
+  void on_row(TraceRow& row) override { rows.push_back(row); }
   void on_event(const Event& event, Cycles now) override {
     if (const auto* move = std::get_if<MoveStarted>(&event)) moves.push_back(*move);
     if (const auto* io = std::get_if<IoDone>(&event)) done.push_back(io->tag.number());

@@ -20,7 +20,7 @@ namespace {
 
 class SerialRecorder final : public test::SilentListener {
  public:
-  void on_row(const TraceRow& row) override { rows.push_back(row); }
+  void on_row(TraceRow& row) override { rows.push_back(row); }
   void on_signal(const Signal& signal, Cycles) override {
     if (const auto* event = std::get_if<SerialEvent>(&signal)) serial.push_back(*event);
   }

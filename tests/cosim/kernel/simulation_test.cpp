@@ -26,7 +26,7 @@ using testing::MatchesRegex;
 
 class Rows final : public test::SilentListener {
  public:
-  void on_row(const TraceRow& row) override { rows.push_back(row); }
+  void on_row(TraceRow& row) override { rows.push_back(row); }
   void on_signal(const Signal& signal, Cycles now) override {
     const auto* abort = std::get_if<BusAbort>(&signal);
     if (abort == nullptr) return;
@@ -143,7 +143,7 @@ TEST(Simulation, InputJitterChangesNoPulseWithoutFeedbackAndNoFinalPosition) {
 TEST(Simulation, InputJitterDelaysAnEmergencyStopByAClockAtMost) {
   class Stops final : public test::SilentListener {
    public:
-    void on_row(const TraceRow& row) override { last = row; }
+    void on_row(TraceRow& row) override { last = row; }
     void on_event(const Event& event, Cycles) override { faults += std::holds_alternative<Faulted>(event); }
     void on_signal(const Signal& signal, Cycles now) override {
       const auto* enables = std::get_if<ServoEnables>(&signal);
@@ -363,7 +363,7 @@ TEST(Simulation, TheSameScenarioGivesTheSameRowsTwice) {
   ASSERT_EQ(first.rows.size(), second.rows.size());
   for (std::size_t i = 0; i < first.rows.size(); ++i) {
     ASSERT_EQ(first.rows[i].cycle, second.rows[i].cycle);
-    ASSERT_EQ(first.rows[i].motor_deg, second.rows[i].motor_deg);
+    ASSERT_EQ(first.rows[i].motor_to, second.rows[i].motor_to);
     ASSERT_EQ(first.rows[i].telemetry.encoder, second.rows[i].telemetry.encoder);
   }
 }

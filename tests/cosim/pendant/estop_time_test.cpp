@@ -32,7 +32,7 @@ using test::ms;
 // When the emergency stop began on the line, and when the last pulse came.
 class StopWatch final : public test::SilentListener {
  public:
-  void on_row(const TraceRow& row) override {
+  void on_row(TraceRow& row) override {
     moved_before_ = moved_before_ || (!began_ && row.pin_pulses != before_);
     if (row.pin_pulses != before_) last_change_ = Cycles{row.cycle};
     before_ = row.pin_pulses;

@@ -26,7 +26,7 @@ using test::ms;
 // The set-points of joint 1.
 class Joint1 final : public test::SilentListener {
  public:
-  void on_row(const TraceRow& row) override { deg.push_back(row.telemetry.reference[0].value() * kDegPerRad); }
+  void on_row(TraceRow& row) override { deg.push_back(row.telemetry.reference[0].value() * kDegPerRad); }
   void on_event(const Event& event, Cycles) override {
     if (const auto* jog = std::get_if<JogEnded>(&event)) ended = jog->how;
   }

@@ -42,7 +42,7 @@ std::string job(const std::string& instructions, const std::string& name = "TEST
 // Set-points of joint 1 in each tick, and the moves of the program.
 class Axis1 final : public cosim::test::SilentListener {
  public:
-  void on_row(const TraceRow& row) override { pulses.push_back(row.telemetry.reference_pulses[0].value()); }
+  void on_row(TraceRow& row) override { pulses.push_back(row.telemetry.reference_pulses[0].value()); }
   void on_event(const Event& event, Cycles) override {
     if (const auto* move = std::get_if<MoveStarted>(&event)) moves += move->tag.source() == Source::kProgram ? 1 : 0;
     if (const auto* io = std::get_if<IoDone>(&event)) outputs.emplace_back(io->pin, io->level);

@@ -46,7 +46,7 @@ TEST(RunDigest, DependsOnAllThatIsHeard) {
   const IntegerDigest integers;
   TraceRow row;
   hear([&](RunDigest& digest) { digest.on_row(row, integers); });
-  row.motor_deg[3] = 1e-300;
+  row.motor_to[3] = 1;
   hear([&](RunDigest& digest) { digest.on_row(row, integers); });
   row.load[1].bus_cycles = 1;
   hear([&](RunDigest& digest) { digest.on_row(row, integers); });

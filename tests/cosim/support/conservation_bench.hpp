@@ -160,7 +160,7 @@ class ConservationBench {
     to_plant.servo_on &= servo_wires;
     if (!plant_sees_steps) to_plant.step = 0;
     plant.on_outputs(now_, to_plant);
-    check.on_outputs(out_);
+    check.on_outputs(now_, out_);
   }
 
   Cycles now_{1000};
