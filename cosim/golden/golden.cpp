@@ -38,8 +38,8 @@ std::string edit(const std::string& text, const ConfigValue& document, const std
   std::string edited = text;
   if (golden == nullptr) {
     if (!edited.empty() && !edited.ends_with('\n')) edited += newline;
-    edited += newline + "# Digest of the integer columns of every tick. `armature bless` writes it and golden.csv." +
-              newline + "[golden]" + newline + "sha256 = " + literal + newline;
+    edited += newline + "# Digest of every tick. `armature bless` writes it and golden.csv." + newline + "[golden]" +
+              newline + "sha256 = " + literal + newline;
   } else if (const ConfigEntry* digest = golden->value.find("sha256")) {
     const std::size_t begin = offset_of(text, digest->value.origin);
     const std::size_t end = text.find(text[begin], begin + 1);  // the closing quote
@@ -101,7 +101,10 @@ std::string bless_golden(const Scenario& scenario, const fs::path& trace, const 
         change += "; golden.csv now has a row for every " + std::to_string(kGoldenEveryTicks) + " ticks";
       change += "\n";
     } else if (comparison.equal()) {
-      change += "golden changed only between the rows of golden.csv\n";
+      change += comparison.other_cycles ? "golden changed: the triggers come at other clock cycles\n"
+                                        : "golden changed only between the rows of golden.csv\n";
+    } else if (comparison.equal_but_for_version()) {
+      change += "golden changed only in its digest, which had an earlier version\n";
     } else {
       change += "golden changed: " + comparison.counts() + "\n" + comparison.details();
     }

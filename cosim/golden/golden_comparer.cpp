@@ -86,6 +86,13 @@ std::optional<TimeSpan> GoldenComparer::begins(const Comparison& comparison) con
 GoldenCheck GoldenComparer::check(const Comparison& comparison, const std::string& sha256) const {
   GoldenCheck check{GoldenVerdict::kDiffers, {}, {}};
   check.begins = begins(comparison);
+  if (comparison.equal_but_for_version()) {
+    check.text = printable(golden_.string(), kShowAll) + ": its " + std::to_string(comparison.rows) +
+                 " rows are equal, but its digest is that of an earlier version of armature";
+    check.details = "  'armature bless " + shell_word(scenario_) + "' renews it\n";
+    check.begins.reset();
+    return check;
+  }
   if (!comparison.equal()) {
     check.text = printable(golden_.string(), kShowAll) + ": " + comparison.counts();
     check.details = comparison.first_differences();
@@ -96,8 +103,13 @@ GoldenCheck GoldenComparer::check(const Comparison& comparison, const std::strin
     }
     return check;
   }
+  if (sha256 != *sha256_ && comparison.other_cycles) {
+    check.text = printable(golden_.string(), kShowAll) + ": its " + std::to_string(comparison.rows) +
+                 " rows are equal, but the triggers come at other clock cycles";
+    return check;
+  }
   if (sha256 != *sha256_) {
-    check.text = "the integers differ after the last row of " + printable(golden_.string(), kShowAll) + ", tick " +
+    check.text = "the run differs after the last row of " + printable(golden_.string(), kShowAll) + ", tick " +
                  std::to_string(comparison.last_tick) + ", or golden.sha256 is that of another golden";
     check.details = "  golden.sha256: " + *sha256_ + "\n  this run:      " + sha256 + "\n";
     if (comparison.last_tick + 1 < ticks_) {

@@ -290,7 +290,7 @@ bool Simulation::on_pins_changed() {
   others.step = out.step;
   others.dir = out.dir;
   others.heartbeat = out.heartbeat;
-  others.trigger = out.trigger;
+  if (!wave_.is_open()) others.trigger = out.trigger;  // a waveform shows the number of the tick
   const bool triggers = out.trigger && !trigger_was_high_;
   if (triggers && ticks_.on_trigger(now())) drive_inputs();
   plant_.on_outputs(now(), out);
@@ -343,9 +343,9 @@ void Simulation::on_trigger() {
     row_.motor_counts[axis] = plant_.motor_counts(axis).value();
     row_.first_rise[axis] = conservation_.edges_of_tick(axis).first_rise.value();
     row_.turned[axis] = conservation_.edges_of_tick(axis).turned.value();
-    const IncrementalEncoder::Motion& motion = plant_.motion_before(axis, now());
-    row_.motor_from[axis] = motion.start.value();
-    row_.motor_to[axis] = motion.target.value();
+    const Plant::MotorStep motor = plant_.motor_step_before(axis, now());
+    row_.motor_from[axis] = motor.start.value();
+    row_.motor_to[axis] = motor.target.value();
   }
   const std::array<CoreLoad, 2> load = load_until_now();
   for (std::size_t core = 0; core < load.size(); ++core) {

@@ -96,10 +96,16 @@ class Plant {
   [[nodiscard]] CountRange motor_counts_since(std::size_t axis, Cycles from) const {
     return ticks_ ? counts_in_tick(axis, from) : encoders_[axis].counts_since(from);
   }
-  // The latest step of the motor that began before `now`, or at most one step before that.
-  [[nodiscard]] const IncrementalEncoder::Motion& motion_before(std::size_t axis, Cycles now) const {
+  // Where the motor was at the begin and the end of the step before `now`, or at most one step before that. A motor
+  // that rests makes no steps.
+  struct MotorStep {
+    Subcounts start, target;
+  };
+  [[nodiscard]] MotorStep motor_step_before(std::size_t axis, Cycles now) const {
     const IncrementalEncoder::Motions& motions = encoders_[axis].motions();
-    return motions.present.from < now ? motions.present : motions.before;
+    const IncrementalEncoder::Motion& latest = motions.present.from < now ? motions.present : motions.before;
+    const bool rested = latest.from < grid_from(now) - kPlantStep;
+    return {.start = rested ? latest.target : latest.start, .target = latest.target};
   }
   // Motor position as a joint angle at `now`, which is not before the last event [deg].
   [[nodiscard]] double motor_deg(std::size_t axis, Cycles now) const {

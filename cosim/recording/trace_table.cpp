@@ -80,7 +80,7 @@ TraceTable read_trace_table(const std::filesystem::path& file) {
   for (std::size_t i = 0; i < header.size(); ++i) {
     if (header[i] == kStateColumn) {
       state = i;
-    } else if (header[i] != kDigestColumn) {
+    } else if (!is_digest(header[i])) {
       fields.push_back(i);
       table.columns.push_back({.name = header[i], .digits = kUnknownDigits});
     }

@@ -115,7 +115,7 @@ struct ExpectSpec {
 };
 
 struct GoldenSpec {
-  std::optional<std::string> sha256;  // of the full-rate integer columns
+  std::optional<std::string> sha256;  // IntegerDigest
 };
 
 struct Scenario {

@@ -18,8 +18,8 @@ void Sha256::Free::operator()(evp_md_ctx_st* context) const noexcept {
   EVP_MD_CTX_free(context);
 }
 
-Sha256::Sha256() : context_{EVP_MD_CTX_new()} {
-  require(context_ == nullptr ? 0 : 1);
+Sha256::Sha256() : context_{EVP_MD_CTX_new()}, finished_{EVP_MD_CTX_new()} {
+  require(context_ == nullptr || finished_ == nullptr ? 0 : 1);
   require(EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr));
 }
 
@@ -29,17 +29,16 @@ void Sha256::add(std::string_view bytes) {
 
 std::string Sha256::hex() const {
   // Finishing ends a context, so a copy is finished.
-  const std::unique_ptr<evp_md_ctx_st, Free> copy{EVP_MD_CTX_new()};
-  require(copy == nullptr ? 0 : 1);
-  require(EVP_MD_CTX_copy_ex(copy.get(), context_.get()));
+  require(EVP_MD_CTX_copy_ex(finished_.get(), context_.get()));
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
   unsigned int size = 0;
-  require(EVP_DigestFinal_ex(copy.get(), digest.data(), &size));
+  require(EVP_DigestFinal_ex(finished_.get(), digest.data(), &size));
   constexpr std::string_view kDigits = "0123456789abcdef";
-  std::string text;
-  for (unsigned int i = 0; i < size; ++i) {
-    text += kDigits[digest[i] >> 4U];
-    text += kDigits[digest[i] & 0xFU];
+  std::string text(std::size_t{2} * size, '\0');
+  char* out = text.data();
+  for (const unsigned char* byte = digest.data(); byte != digest.data() + size; ++byte) {
+    *out++ = kDigits[*byte >> 4U];
+    *out++ = kDigits[*byte & 0xFU];
   }
   return text;
 }

@@ -22,7 +22,7 @@ class Sha256 {
   struct Free {
     void operator()(evp_md_ctx_st* context) const noexcept;
   };
-  std::unique_ptr<evp_md_ctx_st, Free> context_;
+  std::unique_ptr<evp_md_ctx_st, Free> context_, finished_;
 };
 
 // Of these bytes alone.

@@ -56,24 +56,6 @@ char* append(char* out, std::string_view text) {
   return out + text.copy(out, text.size());
 }
 
-// The hashed columns after `time_s`.
-char* append_state(char* out, const TraceRow& row) {
-  out = append(out, word_of(row.telemetry.state));
-  for (const IntegerColumn& column : kIntegerColumns) {
-    for (std::size_t axis = 0; axis < kAxes; ++axis) {
-      *out++ = ',';
-      out = append(out, column.value(row, axis));
-    }
-  }
-  return out;
-}
-
-std::string state_header() {
-  std::string header{kStateColumn};
-  append_names(header, kIntegerColumns);
-  return header;
-}
-
 char* append_fixed(char* out, double value, int digits) {
   // Beyond this a value is no valid angle or position. The limit also bounds the length of the text.
   constexpr double kLargest = 1e15;
@@ -92,8 +74,16 @@ char* append_fixed(char* out, double value, int digits) {
 
 }  // namespace
 
+bool is_digest(std::string_view column) {
+  constexpr std::string_view kName = "digest";
+  return column.starts_with(kName) &&
+         column.substr(kName.size()).find_first_not_of("0123456789") == std::string_view::npos;
+}
+
 std::string integer_header() {
-  return std::string{kTickColumn} + "," + state_header();
+  std::string header{kStateColumn};
+  append_names(header, kIntegerColumns);
+  return header;
 }
 
 std::string float_header() {
@@ -115,15 +105,20 @@ std::string tool_point_header() {
 
 std::string trace_header(ToolColumns tool_columns) {
   std::string header{kTickColumn};
-  header.append(",").append(kTimeColumn).append(",").append(state_header()).append(",").append(float_header());
+  header.append(",").append(kTimeColumn).append(",").append(integer_header()).append(",").append(float_header());
   if (tool_columns == ToolColumns::kYes) header.append(",").append(tool_point_header());
   return header.append(",").append(kDigestColumn);
 }
 
 char* append_integers(char* out, const TraceRow& row) {
-  out = append(out, row.tick);
-  *out++ = ',';
-  return append_state(out, row);
+  out = append(out, word_of(row.telemetry.state));
+  for (const IntegerColumn& column : kIntegerColumns) {
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      *out++ = ',';
+      out = append(out, column.value(row, axis));
+    }
+  }
+  return out;
 }
 
 char* append_floats(char* out, const TraceRow& row) {
@@ -158,7 +153,7 @@ char* append_row(char* out, const TraceRow& row, std::string_view digest, ToolCo
   *out++ = ',';
   out = append(out, seconds_text(Cycles{row.cycle}));
   *out++ = ',';
-  out = append_state(out, row);
+  out = append_integers(out, row);
   *out++ = ',';
   out = append_floats(out, row);
   if (tool_columns == ToolColumns::kYes) {

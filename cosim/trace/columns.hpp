@@ -1,9 +1,7 @@
 // The columns of a trace file: names, order and how a TraceRow becomes text. scenarios/RESULTS.md describes their
 // meaning.
 //
-//   tick, time_s, state, the integers of each axis, the angles of each axis, the tool point if requested, digest
-//
-// `tick`, `state` and the integers of each axis are also the text that IntegerDigest hashes.
+//   tick, time_s, state, the integers of each axis, the angles of each axis, the tool point if requested, digest2
 #pragma once
 
 #include <cstddef>
@@ -17,7 +15,10 @@ namespace armature::cosim {
 inline constexpr std::string_view kTickColumn = "tick";
 inline constexpr std::string_view kTimeColumn = "time_s";
 inline constexpr std::string_view kStateColumn = "state";
-inline constexpr std::string_view kDigestColumn = "digest";
+// IntegerDigest. The number is its version: digests of two versions have nothing in common.
+inline constexpr std::string_view kDigestColumn = "digest2";
+// Whether the column has digests of any version.
+[[nodiscard]] bool is_digest(std::string_view column);
 
 inline constexpr int kSetPointDigits = 9;          // second differences at 20 kHz are exact to 1 deg/s^2 or mm/s^2
 inline constexpr int kMeasuredDigits = 6;          // 1e-6 deg and 1e-6 mm, far below one count
@@ -28,7 +29,7 @@ inline constexpr std::size_t kMaxRowText = 4 * kMaxPartText;  // of append_row
 enum class ToolColumns : bool { kNo, kYes };
 
 // Comma-separated names, no line end.
-[[nodiscard]] std::string integer_header();  // with tick and state, without time_s: what is hashed
+[[nodiscard]] std::string integer_header();  // with the state
 [[nodiscard]] std::string float_header();
 [[nodiscard]] std::string tool_point_header();
 [[nodiscard]] std::string trace_header(ToolColumns tool_columns);  // of a whole row

@@ -25,7 +25,6 @@ constexpr NamedRule kRules[] = {
     {"_mm", {Kind::kReal, kTolerance, kMeasuredDigits}},
     {kTimeColumn, {Kind::kReal, kTimeTolerance, kTimeDigits}},
     {kStateColumn, {Kind::kText}},
-    {kDigestColumn, {Kind::kText}},
 };
 
 // |b - a|, and whether it is beyond the tolerance. The size of text is 0.
@@ -68,6 +67,7 @@ bool RowGrid::skips(std::int64_t tick, const RowGrid& other) const {
 }
 
 ColumnRule column_rule(std::string_view column) {
+  if (is_digest(column)) return {Kind::kText};
   for (const NamedRule& named : kRules) {
     const bool unit = named.suffix.starts_with('_');
     if (unit ? column.ends_with(named.suffix) : column == named.suffix) return named.rule;
@@ -91,7 +91,7 @@ void TraceComparer::pair_columns(const std::vector<std::string>& a, const std::v
       result_.columns_only_a.push_back(a[i]);
       continue;
     }
-    if (a[i] == kDigestColumn) digest_ = pairs_.size();
+    if (is_digest(a[i])) digest_ = pairs_.size();
     pairs_.push_back({i, *twin});
     ColumnDeviation column;
     column.column = a[i];
@@ -145,6 +145,8 @@ void TraceComparer::compare_rows(const CsvRow& a, const CsvRow& b) {
 
 void TraceComparer::compare_digest(const CsvRow& a, const CsvRow& b, const RowPosition& here) {
   if (!digest_ || a.text(pairs_[*digest_].a) == b.text(pairs_[*digest_].b)) return;
+  if (time_a_ && time_b_ && a.text(*time_a_) != b.text(*time_b_)) result_.other_cycles = true;
+  if (result_.other_cycles) return;
   if (!result_.digest) result_.digest = DigestMismatch{.after = before_, .until = here};
   ++result_.digest->rows;
 }

@@ -44,8 +44,8 @@ struct Mismatch {
   std::string value_a, value_b;
 };
 
-// The column `digest` covers every tick up to its row. In the first row with a different digest, the integers differ
-// first in a tick after the row before and not after this row, even if the rows of the file are equal.
+// A column with digests covers every tick up to its row. In the first row with a different digest, the integers or the
+// edges differ first in a tick after the row before and not after this row, even if the rows of the file are equal.
 struct DigestMismatch {
   std::optional<RowPosition> after;  // the row before; none: it differs in the first row
   RowPosition until;
@@ -78,23 +78,27 @@ struct Comparison {
   TraceName a, b;
   std::string scenario{};        // as an argument of `armature run`, for the command that shows more; empty: unknown
   std::int64_t rows = 0;         // common ones
-  std::int64_t rows_differ = 0;  // of them, in another column than `digest`
+  std::int64_t rows_differ = 0;  // of them, in another column than the digest
   std::int64_t rows_only_a = 0, rows_only_b = 0;
   std::int64_t rows_between = 0;      // that the other trace skips
   std::int64_t last_tick = -1;        // of the common rows
   std::int64_t last_equal_tick = -1;  // of the common rows before the first one that differs
   std::optional<std::int64_t> first_tick_only_a, first_tick_only_b;
   std::vector<std::string> columns_only_a, columns_only_b;
-  std::optional<Mismatch> first;  // in another column than `digest`
+  std::optional<Mismatch> first;  // in another column than the digest
   std::optional<DigestMismatch> digest;
+  bool other_cycles =
+      false;  // a trigger comes at another cycle, which digests cover: they are not compared from there on
   std::vector<ColumnDeviation> columns;  // common ones, in the order of trace a
 
   [[nodiscard]] bool equal() const;
+  // Equal but for their digests, which are of two versions of the digest.
+  [[nodiscard]] bool equal_but_for_version() const;
   // `PASS a.csv and b.csv are equal: ...` or `FAIL a.csv and b.csv differ: ...`, one line, no line end.
   [[nodiscard]] std::string verdict() const;
   // The same without the word and the names.
   [[nodiscard]] std::string counts() const;
-  // Missing rows and columns, the first mismatch, and where the integers differ first. Lines begin with two blanks and
+  // Missing rows and columns, the first mismatch, and where the ticks differ first. Lines begin with two blanks and
   // end with '\n', here and below. Empty when nothing differs.
   [[nodiscard]] std::string first_differences() const;
   // The largest deviation of every column that deviates.

@@ -5,6 +5,7 @@
 
 #include "cosim/text/number_text.hpp"
 #include "cosim/text/shell_text.hpp"
+#include "cosim/trace/columns.hpp"
 #include "cosim/trace/compare.hpp"
 
 namespace armature::cosim {
@@ -64,12 +65,21 @@ std::string with_lines(const Comparison& comparison, const RowPosition& position
 std::string digest_text(const Comparison& comparison) {
   const DigestMismatch& digest = *comparison.digest;
   if (!digest.after) {
-    return "  the integers differ already in the first common row, " + with_lines(comparison, digest.until) +
+    return "  the runs differ already in the first common row, " + with_lines(comparison, digest.until) +
            ", or in a tick before it\n";
   }
-  return "  the integers first differ between " + with_lines(comparison, *digest.after) + " and " +
+  return "  the runs first differ between " + with_lines(comparison, *digest.after) + " and " +
          with_lines(comparison, digest.until) +
          "\n  these ticks: " + show_ticks_command(comparison.scenario, digest.after->tick, digest.until.tick) + "\n";
+}
+
+bool same_rows(const Comparison& comparison) {
+  return comparison.rows_differ == 0 && !comparison.digest && comparison.rows_only_a == 0 &&
+         comparison.rows_only_b == 0;
+}
+
+bool is_one_digest(const std::vector<std::string>& columns) {
+  return columns.size() == 1 && is_digest(columns.front());
 }
 
 void append_only_in(std::string& text, std::int64_t rows, std::optional<std::int64_t> first, const std::string& file) {
@@ -104,15 +114,20 @@ std::string show_ticks_command(const std::string& scenario, std::int64_t first, 
 }
 
 bool Comparison::equal() const {
-  return rows_differ == 0 && !digest && rows_only_a == 0 && rows_only_b == 0 && columns_only_a.empty() &&
-         columns_only_b.empty();
+  return same_rows(*this) && columns_only_a.empty() && columns_only_b.empty();
+}
+
+bool Comparison::equal_but_for_version() const {
+  return same_rows(*this) && is_one_digest(columns_only_a) && is_one_digest(columns_only_b);
 }
 
 std::string Comparison::counts() const {
   if (equal()) {
     const std::string between =
         rows_between == 0 ? "" : "; " + std::to_string(rows_between) + " rows between them are in one trace only";
-    return std::to_string(rows) + " rows, " + std::to_string(columns.size()) + " columns" + between;
+    const std::string cycles =
+        other_cycles ? "; ticks between them are not compared, because triggers come at other clock cycles" : "";
+    return std::to_string(rows) + " rows, " + std::to_string(columns.size()) + " columns" + between + cycles;
   }
   std::string text = std::to_string(rows_differ) + " of " + std::to_string(rows) + " common rows differ";
   if (digest && rows_differ == 0) text += ", but ticks between them differ";
@@ -132,6 +147,8 @@ std::string Comparison::first_differences() const {
   std::string text;
   if (!columns_only_a.empty()) text += "  columns only in " + whole(a) + ": " + list(columns_only_a) + "\n";
   if (!columns_only_b.empty()) text += "  columns only in " + whole(b) + ": " + list(columns_only_b) + "\n";
+  if (std::ranges::any_of(columns_only_a, is_digest) && std::ranges::any_of(columns_only_b, is_digest))
+    text += "  the digests are of two versions of armature, so nothing is known of the ticks between the rows\n";
   append_only_in(text, rows_only_a, first_tick_only_a, whole(a));
   append_only_in(text, rows_only_b, first_tick_only_b, whole(b));
   if (first) {

@@ -1,26 +1,53 @@
 #include "cosim/trace/integer_digest.hpp"
 
-#include "cosim/trace/columns.hpp"
+#include <bit>
 
 namespace armature::cosim {
 namespace {
 
-// Rows are hashed in blocks, because the set-up of a call costs more than hashing one row.
-constexpr std::size_t kDigestBufferSize = std::size_t{64} * 1024;
+// Ticks are hashed in blocks, because the set-up of a call costs more than hashing one of them.
+constexpr std::size_t kTicksInBuffer = 1024;
+
+static_assert(std::endian::native == std::endian::little);
+
+constexpr std::uint64_t kBegin = 1;
+
+// For one hash, different values give different results; for one value, different hashes do.
+constexpr std::uint64_t mixed(std::uint64_t hash, std::uint64_t value) {
+  const std::uint64_t product = (hash ^ value) * 0x9E3779B97F4A7C15U;
+  return product ^ (product >> 32U);
+}
+constexpr std::uint64_t mixed(std::uint64_t hash, std::int64_t value) {
+  return mixed(hash, static_cast<std::uint64_t>(value));
+}
 
 }  // namespace
 
-IntegerDigest::IntegerDigest() : buffer_(kDigestBufferSize) {
-  sha256_.add(integer_header() + "\n");
+std::uint64_t tick_hash(const TraceRow& row) {
+  const Telemetry& seen = row.telemetry;
+  // Axis by axis a product would wait for the product before it. Those of six axes overlap.
+  PerAxis<std::uint64_t> axes;
+  axes.fill(kBegin);
+  const auto mix = [&axes](auto value_of) {
+    for (std::size_t axis = 0; axis < kAxes; ++axis) axes[axis] = mixed(axes[axis], std::int64_t{value_of(axis)});
+  };
+  mix([&](std::size_t axis) { return seen.commanded[axis].value(); });
+  mix([&](std::size_t axis) { return row.pin_pulses[axis]; });
+  mix([&](std::size_t axis) { return seen.encoder[axis].value(); });
+  mix([&](std::size_t axis) { return seen.correction[axis].value(); });
+  mix([&](std::size_t axis) { return row.first_rise[axis]; });
+  mix([&](std::size_t axis) { return row.turned[axis]; });
+  mix([&](std::size_t axis) { return row.motor_from[axis]; });
+  mix([&](std::size_t axis) { return row.motor_to[axis]; });
+
+  std::uint64_t hash = mixed(kBegin, row.tick);
+  hash = mixed(hash, std::uint64_t{static_cast<std::uint8_t>(seen.state)});
+  hash = mixed(hash, row.cycle);
+  for (const std::uint64_t axis : axes) hash = mixed(hash, axis);
+  return hash;
 }
 
-void IntegerDigest::add(const TraceRow& row) {
-  if (kDigestBufferSize - used_ < kMaxPartText + 1) flush();
-  char* end = append_integers(buffer_.data() + used_, row);
-  *end++ = '\n';
-  used_ = static_cast<std::size_t>(end - buffer_.data());
-  prefix_.clear();
-}
+IntegerDigest::IntegerDigest() : bytes_(kTicksInBuffer * sizeof(std::uint64_t)) {}
 
 std::string IntegerDigest::hex() const {
   flush();
@@ -34,7 +61,7 @@ std::string_view IntegerDigest::prefix() const {
 }
 
 void IntegerDigest::flush() const {
-  sha256_.add({buffer_.data(), used_});
+  sha256_.add({bytes_.data(), used_});
   used_ = 0;
 }
 

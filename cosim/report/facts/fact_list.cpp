@@ -238,7 +238,7 @@ std::vector<Fact> make_list() {
      .expectations = {at_least<&E::min_residual_deg>("min_residual_deg"),
                       at_most<&E::max_residual_deg>("max_residual_deg")},
      .nothing_to_judge = no_path},
-    {.name = "sha256", .unit = "", .meaning = "SHA-256 of the integer columns of every tick, see above",
+    {.name = "sha256", .unit = "", .meaning = "Digest of every tick, see above",
      .value = measured<&F::sha256>},
 
     // ---- the variant of the paper

@@ -143,7 +143,7 @@ const KeyTable<GoldenSpec>& golden_keys() {
       .keys = {
           set_key<GoldenSpec, std::string>(
               "sha256", set_digest, anything(),
-              "SHA-256 of the integer columns of every tick, as 64 lower-case hexadecimal digits.")
+              "SHA-256 of the integers and edges of every tick, as 64 lower-case hexadecimal digits.")
               .required()
               .pattern("^[0-9a-f]{64}$"),
       }};

@@ -42,7 +42,7 @@ class Golden(Program):
     def test_a_golden_that_differs_in_all_columns_is_told_in_few_lines_and_a_command_shows_all(self):
         scenario = self.copy_of(TINY)
         lines = [line.split(",") for line in (scenario / "golden.csv").read_text().splitlines()]
-        changed = [i for i, name in enumerate(lines[0]) if name not in ("tick", "state", "digest")]
+        changed = [i for i, name in enumerate(lines[0]) if name not in ("tick", "state", "digest2")]
         for row in lines[5:]:
             for i in changed:
                 row[i] = "7"
@@ -61,10 +61,10 @@ class Golden(Program):
         self.assertRegex((self.folder / "x/log.txt").read_text(), r"error: +j6_enc_counts: \d+ at tick")
 
     def test_a_digest_that_differs_names_the_rows_and_a_command_that_shows_the_ticks(self):
-        scenario = self.changed_golden(5, "digest")
+        scenario = self.changed_golden(5, "digest2")
         done = self.armature("run", scenario, "--out", "x", code=1)
         self.assertIn(
-            "the integers first differ between tick 600 (0.030062 s; golden.csv line 5, trace.csv line 32) and tick "
+            "the runs first differ between tick 600 (0.030062 s; golden.csv line 5, trace.csv line 32) and tick "
             "800 (0.040062 s; golden.csv line 6, trace.csv line 42)",
             done.stdout,
         )

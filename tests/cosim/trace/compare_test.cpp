@@ -174,7 +174,7 @@ constexpr const char* kHashed =
     "40,0.00206216,0,cccc\n"
     "60,0.00306216,0,dddd\n";
 
-TEST_F(Compare, ADigestThatDiffersAloneTellsBetweenWhichRowsTheIntegersDo) {
+TEST_F(Compare, ADigestThatDiffersAloneTellsBetweenWhichRowsTheRunsDo) {
   EXPECT_TRUE(against(kHashed, kHashed).equal());
   const std::string other =
       "tick,time_s,j1_cmd_pulses,digest\n0,0.00006216,0,aaaa\n20,0.00106216,0,bbbb\n40,0.00206216,0,cccd\n"
@@ -187,17 +187,40 @@ TEST_F(Compare, ADigestThatDiffersAloneTellsBetweenWhichRowsTheIntegersDo) {
   c.a.value = "golden", c.b.value = "this run";
   c.scenario = "my scenarios/x";
   EXPECT_THAT(c.counts(), HasSubstr("0 of 4 common rows differ, but ticks between them differ"));
-  EXPECT_EQ(
-      c.details(),
-      "  the integers first differ between tick 20 (0.001062 s; a.csv line 3, b.csv line 3) and tick 40 (0.002062 s; "
-      "a.csv line 4, b.csv line 4)\n"
-      "  these ticks: armature run 'my scenarios/x' --set trace.every_ticks=1 --out out/full_rate; sed -n "
-      "'1p;22,42p' out/full_rate/trace.csv\n");
+  EXPECT_EQ(c.details(),
+            "  the runs first differ between tick 20 (0.001062 s; a.csv line 3, b.csv line 3) and tick 40 (0.002062 s; "
+            "a.csv line 4, b.csv line 4)\n"
+            "  these ticks: armature run 'my scenarios/x' --set trace.every_ticks=1 --out out/full_rate; sed -n "
+            "'1p;22,42p' out/full_rate/trace.csv\n");
 }
 
 TEST_F(Compare, ADigestThatDiffersFromTheBeginningSaysSo) {
   const Comparison c = against("tick,time_s,j1_cmd_pulses,digest\n0,0.00006216,0,x\n", kHashed);
-  EXPECT_THAT(c.details(), HasSubstr("the integers differ already in the first common row, tick 0 (0.000062 s; "));
+  EXPECT_THAT(c.details(), HasSubstr("the runs differ already in the first common row, tick 0 (0.000062 s; "));
+}
+
+TEST_F(Compare, DigestsOfTriggersAtOtherCyclesAreNotCompared) {
+  std::string later = kHashed;
+  later.replace(later.find("0.00106216,0,bbbb"), 17, "0.00106218,0,bbbx");
+  later.replace(later.find("cccc"), 4, "cccx");
+  const Comparison c = against(later, kHashed);
+  EXPECT_TRUE(c.equal());
+  EXPECT_TRUE(c.other_cycles);
+  EXPECT_THAT(c.report(),
+              HasSubstr("4 rows, 4 columns; ticks between them are not compared, because triggers come at"));
+}
+
+TEST_F(Compare, DigestsOfTwoVersionsAreNotCompared) {
+  std::string other = kHashed;
+  other.replace(other.find("digest"), 6, "digest2");
+  other.replace(other.find("bbbb"), 4, "0000");
+  const Comparison c = against(other, kHashed);
+  EXPECT_FALSE(c.equal());
+  EXPECT_TRUE(c.equal_but_for_version());
+  EXPECT_FALSE(c.digest);
+  EXPECT_THAT(c.details(), HasSubstr("the digests are of two versions of armature, so nothing is known of the ticks"));
+  other.replace(other.find("0.00106216,0"), 12, "0.00106216,5");
+  EXPECT_FALSE(against(other, kHashed).equal_but_for_version());
 }
 
 TEST_F(Compare, AnotherColumnThatDiffersIsShownBeforeTheDigest) {
@@ -207,7 +230,7 @@ TEST_F(Compare, AnotherColumnThatDiffersIsShownBeforeTheDigest) {
       kHashed);
   EXPECT_EQ(c.rows_differ, 1);
   EXPECT_EQ(c.first->column, "j1_cmd_pulses");
-  EXPECT_THAT(c.details(), HasSubstr("the integers first differ between tick 0 "));
+  EXPECT_THAT(c.details(), HasSubstr("the runs first differ between tick 0 "));
   EXPECT_THAT(c.details(), testing::Not(HasSubstr("    digest:")));
 }
 

@@ -99,7 +99,7 @@ TEST_F(GoldenComparerTest, AGoldenWithMoreRowsIsComparedInAllOfThem) {
   bless(20);
   EXPECT_EQ(run(-1).text, "50 rows, and the digest of all 1000 ticks");
   const GoldenCheck check = run(327);
-  EXPECT_THAT(check.details, HasSubstr("the integers first differ between tick 320 "));
+  EXPECT_THAT(check.details, HasSubstr("the runs first differ between tick 320 "));
   expect_begins(check, 320, 340);
 }
 
@@ -126,7 +126,7 @@ TEST_F(GoldenComparerTest, ATickBetweenTheRowsIsFoundByTheDigest) {
   const GoldenCheck check = run(407);
   EXPECT_EQ(check.verdict, GoldenVerdict::kDiffers);
   EXPECT_THAT(check.details,
-              HasSubstr("the integers first differ between tick 400 (0.020062 s; golden.csv line 4, trace.csv "
+              HasSubstr("the runs first differ between tick 400 (0.020062 s; golden.csv line 4, trace.csv "
                         "line 22) and tick 600 (0.030062 s; golden.csv line 5, trace.csv line 32)\n"));
   EXPECT_THAT(check.details,
               HasSubstr("armature run " + (folder.path() / "s").string() + " --set trace.every_ticks=1"));
@@ -137,10 +137,36 @@ TEST_F(GoldenComparerTest, ATickAfterTheLastRowIsFoundByTheDigestOfTheRun) {
   bless();
   const GoldenCheck check = run(907);
   EXPECT_EQ(check.verdict, GoldenVerdict::kDiffers);
-  EXPECT_THAT(check.text, HasSubstr("the integers differ after the last row of "));
+  EXPECT_THAT(check.text, HasSubstr("the run differs after the last row of "));
   EXPECT_THAT(check.text, HasSubstr(", tick 800,"));
   EXPECT_THAT(check.details, HasSubstr("sed -n '1p;803,1001p'"));
   expect_begins(check, 800, 999);
+}
+
+TEST_F(GoldenComparerTest, OneWithADigestOfAnEarlierVersionSaysHowToRenewIt) {
+  bless();
+  edit("s/golden.csv", ",digest2\n", ",digest\n");
+  const GoldenCheck check = run(-1);
+  EXPECT_EQ(check.verdict, GoldenVerdict::kDiffers);
+  EXPECT_THAT(check.text, HasSubstr("golden.csv: its 5 rows are equal, but its digest is that of an earlier version"));
+  EXPECT_EQ(check.details, "  'armature bless " + (folder.path() / "s").string() + "' renews it\n");
+  EXPECT_FALSE(check.begins);
+  EXPECT_THAT(run(400).text, HasSubstr("1 of 5 common rows differ, 1 columns missing, 1 columns extra"));
+}
+
+TEST_F(GoldenComparerTest, OneWithTriggersAtOtherCyclesDiffersAndSaysSo) {
+  bless();
+  edit("s/golden.csv", "0,0.00006216", "0,0.00006218");
+  std::string text = read_file(folder.path() / "s/golden.csv");
+  const std::size_t end = text.find('\n', text.find("\n0,") + 1);
+  folder.write("s/golden.csv", text.replace(end - 4, 4, "0000"));
+  std::string scenario = read_file(folder.path() / "s/scenario.toml");
+  char& digit = scenario[scenario.find("sha256 = \"") + 10];
+  digit = digit == '0' ? '1' : '0';
+  folder.write("s/scenario.toml", scenario);
+  const GoldenCheck check = run(-1);
+  EXPECT_EQ(check.verdict, GoldenVerdict::kDiffers);
+  EXPECT_THAT(check.text, HasSubstr("golden.csv: its 5 rows are equal, but the triggers come at other clock cycles"));
 }
 
 TEST_F(GoldenComparerTest, HalfAGoldenDiffers) {
