@@ -8,6 +8,8 @@
 #include <limits>
 #include <numbers>
 
+#include "controller/base/math.hpp"
+
 namespace armature::cosim {
 namespace {
 
@@ -76,15 +78,58 @@ class NearestPoint {
   double least_ = std::numeric_limits<double>::max();
 };
 
+// The smallest s from 0 to pi with a sin(s) + b s = c; a, b, c >= 0. NaN: there is none. The left side is concave and
+// first rises, so Newton's method comes nearer from below and cannot pass the solution.
+double smallest_root(double a, double b, double c) {
+  constexpr double kConverged = 1e-8;  // the next step would be some square of this
+  constexpr int kMost = 100;           // steps; where two solutions meet, each halves the error
+  double s = 0;
+  for (int i = 0; i < kMost; ++i) {
+    const math::SinCos at = math::sin_cos(s);
+    const double slope = a * at.cos + b;
+    const double step = (c - a * at.sin - b * s) / slope;
+    if (!(slope > 0) || s + step > std::numbers::pi) return std::numeric_limits<double>::quiet_NaN();
+    s += step;
+    if (step < kConverged) break;
+  }
+  return s;
+}
+
+// In the frame of the helix the point has a distance r from the axis, an angle, and a height h. With s = phi - angle,
+// the square of the distance is (r - radius)^2 + 4 r radius sin(s/2)^2 + (h - rise phi)^2. It has at most one minimum
+// in each turn |s| <= pi. That is between s = 0 and the phi of the height h. The turn nearest to that phi has the
+// lowest one.
 double distance_to_helix(const PositionPath& helix, const Vector3d& point) {
-  const Vector3d axis = helix.x.cross(helix.y);
+  constexpr double kTurn = 2 * std::numbers::pi;
+  const Vector3d from_center = point - helix.center_mm;
+  const double x = from_center.dot(helix.x);
+  const double y = from_center.dot(helix.y);
+  const double height = from_center.dot(helix.x.cross(helix.y));
+  const double from_axis = std::sqrt(x * x + y * y);
+  const double angle = math::atan2(y, x);
   const double rise = helix.advance_mm / helix.angle_rad;
-  const auto at = [&](double phi) -> Vector3d {
-    return helix.center_mm + helix.radius_mm * (std::cos(phi) * helix.x + std::sin(phi) * helix.y) + phi * rise * axis;
+  const double product = from_axis * helix.radius_mm;
+
+  double least = std::min((point - helix.start_mm).squaredNorm(), (point - helix.end_mm).squaredNorm());
+  // Returns whether the helix has the minimum of this turn.
+  const auto visit = [&](double turn) {
+    const double middle = angle + turn * kTurn;
+    const double ahead = rise * (height - rise * middle);
+    const double s = std::copysign(smallest_root(product, rise * rise, std::fabs(ahead)), ahead);
+    const double phi = middle + s;
+    if (!(phi >= 0 && phi <= helix.angle_rad)) return false;
+    const double half = math::sin_cos(s / 2).sin;
+    const double outward = from_axis - helix.radius_mm, along = height - rise * phi;
+    least = std::min(least, outward * outward + 4 * product * half * half + along * along);
+    return true;
   };
-  NearestPoint nearest{point};
-  nearest.search(0, helix.angle_rad, at, [&](double, double) { return helix.radius_mm; });
-  return nearest.mm();
+  const auto turn_of = [&](double phi) { return std::round((phi - angle) / kTurn); };
+  const double nearest = std::clamp(turn_of(height / rise), turn_of(0), turn_of(helix.angle_rad));
+  if (!visit(nearest)) {
+    visit(nearest - 1);
+    visit(nearest + 1);
+  }
+  return std::sqrt(least);
 }
 
 double distance_to_spline(const Spline& spline, const Vector3d& point) {

@@ -8,7 +8,7 @@
 namespace armature::cosim {
 
 // To the nearest point of the curve itself, not of the line or circle that it is a part of. Exact to rounding for
-// lines and arcs. For helices and splines it is too large by at most 1e-10 mm plus 1e-7 of the distance, and never too
+// lines, arcs and helices. For splines it is too large by at most 1e-10 mm plus 1e-7 of the distance, and never too
 // small.
 [[nodiscard]] double distance_mm(const PositionPath& path, const Eigen::Vector3d& point_mm);
 

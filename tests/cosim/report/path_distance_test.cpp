@@ -90,21 +90,55 @@ TEST(PathDistance, OfAHelixIsKnownBesideItAndBeyondItsEnds) {
   EXPECT_NEAR(distance_mm(helix, helix.end_mm + 3 * tangent), 3, 1e-9);
 }
 
-TEST(PathDistance, OfAHelixIsThatToTheNearestOfManyOfItsPoints) {
-  armature::test::Random random{161};
-  for (int i = 0; i < 60; ++i) {
-    const double turns = random.real(0.2, 4), advance = random.real(-60, 60);
-    const PositionPath helix = climbing(turns, advance);
-    const Vector3d at{random.real(-16, 16), random.real(-16, 16), 5 + random.real(-0.2, 1.2) * advance};
-    constexpr int kPoints = 40'000;
-    double nearest = std::numeric_limits<double>::infinity();
-    for (int k = 0; k <= kPoints; ++k) {
-      const double share = static_cast<double>(k) / kPoints, phi = share * turns * 2 * std::numbers::pi;
-      const Vector3d place{10 * std::cos(phi), 10 * std::sin(phi), 5 + share * advance};
-      nearest = std::min(nearest, (place - at).norm());
+// The least value of a function from 0 to 1, which has one minimum at most between two samples.
+template <class Of>
+double least_of(Of of) {
+  constexpr int kSamples = 800;
+  constexpr double kApart = 1.0 / kSamples;
+  double least = std::min(of(0.0), of(1.0));
+  double before = of(0.0), here = of(kApart);
+  for (int k = 1; k < kSamples; ++k) {
+    const double after = of((k + 1) * kApart);
+    if (here <= before && here <= after) {
+      double from = (k - 1) * kApart, to = (k + 1) * kApart;
+      for (int i = 0; i < 60; ++i) {
+        const double third = (to - from) / 3;
+        if (of(from + third) < of(to - third)) {
+          to -= third;
+        } else {
+          from += third;
+        }
+      }
+      least = std::min(least, of(from));
     }
-    EXPECT_NEAR(distance_mm(helix, at), nearest, 1e-4) << i;
+    before = here;
+    here = after;
   }
+  return least;
+}
+
+// Steep and flat ones, down to turns that nearly touch; points beside, on the axis, and beyond the ends.
+TEST(PathDistance, OfAHelixIsTheLeastOfItsPoints) {
+  armature::test::Random random{161};
+  for (int i = 0; i < 300; ++i) {
+    const double turns = random.real(0.1, 4), advance = random.real(-1, 1) * std::pow(10, random.real(-3, 3));
+    const PositionPath helix = climbing(turns, advance);
+    const double wide = i % 5 == 0 ? 1e-6 : 16;
+    const double height = i % 3 == 0 ? random.real(-100, 100) : random.real(-0.2, 1.2) * advance;
+    const Vector3d at{random.real(-wide, wide), random.real(-wide, wide), 5 + height};
+    const double least = least_of([&](double share) {
+      const double phi = share * turns * 2 * std::numbers::pi;
+      return (Vector3d{10 * std::cos(phi), 10 * std::sin(phi), 5 + share * advance} - at).norm();
+    });
+    ASSERT_NEAR(distance_mm(helix, at), least, 1e-9) << i;
+  }
+}
+
+TEST(PathDistance, OfAHelixIsFiniteWhereItsAxisOrItsTurnsDegenerate) {
+  const PositionPath flat = climbing(2, 1e-300);
+  EXPECT_NEAR(distance_mm(flat, {13, 0, 5}), 3, 1e-12);
+  EXPECT_NEAR(distance_mm(flat, {0, 0, 9}), std::hypot(10, 4), 1e-12);
+  EXPECT_NEAR(distance_mm(climbing(2, 40), {0, 0, 25}), 10, 1e-12);  // every direction is as near
 }
 
 // A helix whose turns are closer together than any samples of it.
