@@ -15,7 +15,14 @@ FactsListener::FactsListener(const Scenario& scenario)
 
 void FactsListener::on_row(const TraceRow& row, const IntegerDigest&) {
   facts_.add(row);
-  if (tool_) facts_.add_tool(row, row.tool_point ? row.tool_point->reference_mm : tool_->set_point_mm(row.telemetry));
+  if (!tool_) return;
+  if (row.tool_point) {
+    set_point_mm_ = row.tool_point->reference_mm;
+  } else if (!set_point_mm_ || row.telemetry.reference != reference_) {
+    set_point_mm_ = tool_->set_point_mm(row.telemetry);
+  }
+  reference_ = row.telemetry.reference;
+  facts_.add_tool(row, *set_point_mm_);
 }
 
 void FactsListener::on_event(const Event& event, const RunPlace& place) {

@@ -1,6 +1,7 @@
 // Measures a run. Run has one, which hears of everything first.
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
 #include <vector>
 
@@ -26,7 +27,9 @@ class FactsListener final : public RunListener {
 
  private:
   RunFactsCollector facts_;
-  std::optional<ToolPointMeter> tool_;  // nullopt: the robot has no kinematics
+  std::optional<ToolPointMeter> tool_;           // nullopt: the robot has no kinematics
+  std::optional<Eigen::Vector3d> set_point_mm_;  // of the tool in the last row
+  PerAxis<Radians> reference_{};                 // likewise, of the joints
 };
 
 }  // namespace armature::cosim

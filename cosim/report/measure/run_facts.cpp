@@ -1,30 +1,16 @@
 #include "cosim/report/measure/run_facts.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <utility>
 
 #include "controller/base/angle_units.hpp"
 #include "controller/base/overloaded.hpp"
-#include "controller/base/rounding.hpp"
 #include "controller/base/timebase.hpp"
 #include "cosim/scenario/move_text.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
-namespace {
-
-// Keeps the largest value so far, and the place where it was reached first.
-template <class T, class Place>
-void raise(T& largest, Place& at, T value, const RunPlace& here) {
-  if (!(value > largest)) return;
-  largest = value;
-  at = here;
-}
-
-}  // namespace
 
 RunFactsCollector::RunFactsCollector(const RobotSpec& robot, std::int64_t settled_counts,
                                      const std::optional<ConveyorSpec>& conveyor, CommandNames names)
@@ -39,33 +25,6 @@ RunFactsCollector::RunFactsCollector(const RobotSpec& robot, std::int64_t settle
     axes_[i].counts_per_pulse = counts_per_rev / spec.pulses_per_rev;
     axes_[i].counts_per_turn = counts_per_rev * spec.gear_ratio;
   }
-}
-
-void RunFactsCollector::add(const TraceRow& row) {
-  bool reference_moved = false;
-  bool outside = false;
-  for (std::size_t i = 0; i < kAxes; ++i) add_axis(row, i, reference_moved, outside);
-  if (reference_moved) {
-    facts_.moved = true;
-    reference_moved_tick_ = row.tick;
-    outside_tick_ = row.tick - 1;
-  }
-  if (outside) outside_tick_ = row.tick;
-  stopped_ = stopped_ || row.stopped;
-  if (row.telemetry.state == MotionState::kHolding && row.telemetry.rate == 0) facts_.held_s += kTickSeconds;
-  if (row.telemetry.underruns > 0 && !facts_.first_underrun_at) {
-    facts_.first_underrun_at = RunPlace{.tick = row.tick, .at = Cycles{row.cycle}};
-  }
-  facts_.underruns = row.telemetry.underruns;
-  facts_.last_trigger_at = RunPlace{.tick = row.tick, .at = Cycles{row.cycle}};
-  if (!facts_.first_trigger_at) facts_.first_trigger_at = facts_.last_trigger_at;
-  ++facts_.ticks;
-  path_error_.add(row);
-  if (tracking_error_) tracking_error_->add(row);
-  injections_.add(row);
-  tool_before_.reset();
-  if (last_.tool_point) tool_before_ = last_.tool_point->reference_mm;
-  last_ = row;
 }
 
 void RunFactsCollector::add(const CommandSpec& given) {
@@ -166,55 +125,6 @@ void RunFactsCollector::add(OutputChange change) {
     change.tool_mm = *tool_before_ + share * (last_.tool_point->reference_mm - *tool_before_);
   }
   facts_.outputs.push_back(change);
-}
-
-void RunFactsCollector::add_axis(const TraceRow& row, std::size_t i, bool& reference_moved, bool& outside) {
-  Axis& axis = axes_[i];
-  const Telemetry& now = row.telemetry;
-  const Telemetry& before = last_.telemetry;
-  const std::int64_t encoder = now.encoder[i].value();
-  const std::int64_t reference = reference_counts(now, i);
-  const RunPlace here{.tick = row.tick, .at = Cycles{row.cycle}, .axis = static_cast<std::uint8_t>(i + 1)};
-  const double step_deg = (now.reference[i] - before.reference[i]).value() * kDegPerRad;
-
-  // Entering and leaving Fault sets the reference to the position of the arm at once, and so does the end of homing.
-  const bool located = (((now.referenced & ~before.referenced) >> i) & 1) != 0;
-  const bool faulty = now.state == MotionState::kFault || before.state == MotionState::kFault || located;
-  if (step_deg != 0 && facts_.ticks > 0) {
-    reference_moved = true;
-    const std::int64_t direction = (step_deg > 0) == (axis.counts_per_turn > 0) ? 1 : -1;
-    if (direction != axis.direction) {
-      axis.direction = direction;
-      axis.farthest = direction * encoder;
-      axis.farthest_at = here;
-    }
-    if (!faulty) {
-      raise(facts_.peak_speed_deg_s[i], facts_.peak_speed_at[i], std::fabs(step_deg) / kTickSeconds, here);
-    }
-  }
-  raise(axis.farthest, axis.farthest_at, axis.direction * encoder, here);
-  if (std::abs(reference - encoder) > facts_.settled_counts) {
-    outside = true;
-    facts_.last_outside_at = here;
-  }
-
-  if (!faulty) {
-    const double error_deg = (now.reference[i].value() - now.actual[i].value()) * kDegPerRad;
-    raise(facts_.worst_following_error_deg[i], facts_.worst_following_error_at[i], std::fabs(error_deg), here);
-  }
-  const std::int64_t emitted = row.pin_pulses[i] - last_.pin_pulses[i];
-  // The counts that the last row commands beyond its pins are meant for the tick that this row ends.
-  if (!faulty && facts_.ticks > 0) {
-    const std::int64_t residual = before.commanded[i].value() - row.pin_pulses[i];
-    facts_.inexact_ticks[i] += residual != 0 ? 1 : 0;
-    raise(facts_.max_residual_pulses, facts_.max_residual_at, std::abs(residual), here);
-  }
-  raise(facts_.peak_pulses_per_tick, facts_.peak_pulses_at, std::abs(emitted), here);
-  raise(facts_.max_correction_pulses, facts_.max_correction_at, std::abs(now.correction[i].value()), here);
-}
-
-std::int64_t RunFactsCollector::reference_counts(const Telemetry& telemetry, std::size_t i) const {
-  return round_half_away(static_cast<double>(telemetry.reference_pulses[i].value()) * axes_[i].counts_per_pulse);
 }
 
 void RunFactsCollector::add(const BusAbortEvent& abort) {

@@ -177,6 +177,7 @@ class RunFactsCollector {
     std::int64_t direction = 0;  // of the reference's last change, in counts: -1, 0, 1
     std::int64_t farthest = 0;   // largest encoder value since the last change of direction, times direction
     RunPlace farthest_at;
+    double largest_step_rad = 0;  // of the reference in a tick, outside Fault
   };
   void add(const MoveStarted& move);
   void add(const ProgramNoted& note, Cycles at);
@@ -185,7 +186,14 @@ class RunFactsCollector {
   void add(const HomingEnded& axis);
   void add(const StreamEnded& stream);
   void add(const PartFollowed& part);
-  void add_axis(const TraceRow& row, std::size_t i, bool& reference_moved, bool& outside);
+  struct RowNews {
+    bool reference_moved = false;
+    std::size_t outside = 0;  // number of the last axis outside the settling band; 0: none
+  };
+  RowNews add_axes(const TraceRow& row);
+  void add_step(const TraceRow& row, std::size_t i, double step_rad, bool faulty);
+  [[nodiscard]] bool is_outside(const Telemetry& telemetry, std::size_t i) const;         // the settling band
+  [[nodiscard]] double exact_reference(const Telemetry& telemetry, std::size_t i) const;  // [counts]
   [[nodiscard]] std::int64_t reference_counts(const Telemetry& telemetry, std::size_t i) const;
 
   PerAxis<Axis> axes_{};
