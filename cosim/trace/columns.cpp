@@ -1,17 +1,26 @@
 #include "cosim/trace/columns.hpp"
 
-#include <charconv>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <string_view>
 
 #include "controller/base/angle_units.hpp"
+#include "cosim/text/decimal_text.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
 namespace {
+
+char* append(char* out, std::string_view text) {
+  return out + text.copy(out, text.size());
+}
+
+template <int kDigits>
+char* append_real(char* out, double value) {
+  // Beyond this a value is no valid angle or position.
+  return std::fabs(value) < kLargestFixed ? append_fixed<kDigits>(out, value) : append(out, "nan");
+}
 
 struct IntegerColumn {
   std::string_view suffix;
@@ -26,15 +35,16 @@ constexpr IntegerColumn kIntegerColumns[] = {
 
 struct FloatColumn {
   std::string_view suffix;
-  int digits;  // after the point
+  char* (*append)(char* out, double value);
   Radians (*value)(const TraceRow&, std::size_t axis);
 };
 constexpr FloatColumn kFloatColumns[] = {
-    {"ref_deg", kSetPointDigits, [](const TraceRow& row, std::size_t i) { return row.telemetry.reference[i]; }},
-    {"enc_deg", kMeasuredDigits, [](const TraceRow& row, std::size_t i) { return row.telemetry.actual[i]; }},
+    {"ref_deg", append_real<kSetPointDigits>,
+     [](const TraceRow& row, std::size_t i) { return row.telemetry.reference[i]; }},
+    {"enc_deg", append_real<kMeasuredDigits>,
+     [](const TraceRow& row, std::size_t i) { return row.telemetry.actual[i]; }},
 };
 
-constexpr std::size_t kMaxIntegerText = 20;  // of an int64
 static_assert((std::size(kIntegerColumns) * kAxes + 2) * (kMaxIntegerText + 1) <= kMaxPartText);
 
 // `jN_suffix` for each column and axis, with a comma before each name except the first.
@@ -46,30 +56,6 @@ void append_names(std::string& header, const Column (&columns)[kCount]) {
       header.append("j").append(std::to_string(axis)).append("_").append(column.suffix);
     }
   }
-}
-
-char* append(char* out, std::int64_t value) {
-  return std::to_chars(out, out + kMaxIntegerText, value).ptr;
-}
-
-char* append(char* out, std::string_view text) {
-  return out + text.copy(out, text.size());
-}
-
-char* append_fixed(char* out, double value, int digits) {
-  // Beyond this a value is no valid angle or position. The limit also bounds the length of the text.
-  constexpr double kLargest = 1e15;
-  constexpr std::size_t kRoom = 32;
-  if (!(std::fabs(value) < kLargest)) {
-    return append(out, "nan");
-  }
-  char* end = std::to_chars(out, out + kRoom, value, std::chars_format::fixed, digits).ptr;
-  // A negative value that rounds to zero is zero.
-  if (*out == '-' && std::string_view{out, end}.find_first_not_of("-0.") == std::string_view::npos) {
-    std::memmove(out, out + 1, static_cast<std::size_t>(end - out - 1));
-    --end;
-  }
-  return end;
 }
 
 }  // namespace
@@ -115,7 +101,7 @@ char* append_integers(char* out, const TraceRow& row) {
   for (const IntegerColumn& column : kIntegerColumns) {
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       *out++ = ',';
-      out = append(out, column.value(row, axis));
+      out = append_integer(out, column.value(row, axis));
     }
   }
   return out;
@@ -126,7 +112,7 @@ char* append_floats(char* out, const TraceRow& row) {
   for (const FloatColumn& column : kFloatColumns) {
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       if (out != begin) *out++ = ',';
-      out = append_fixed(out, column.value(row, axis).value() * kDegPerRad, column.digits);
+      out = column.append(out, column.value(row, axis).value() * kDegPerRad);
     }
   }
   return out;
@@ -137,21 +123,26 @@ char* append_tool_point(char* out, const TraceRow& row) {
   const ToolPoint none{Eigen::Vector3d::Constant(kNone), Eigen::Vector3d::Constant(kNone)};
   const ToolPoint& point = row.tool_point ? *row.tool_point : none;
   const char* const begin = out;
-  const auto append_point = [&](const Eigen::Vector3d& point_mm, int digits) {
+  const auto append_point = [&](const Eigen::Vector3d& point_mm, auto append_coordinate) {
     for (const double coordinate : point_mm) {
       if (out != begin) *out++ = ',';
-      out = append_fixed(out, coordinate, digits);
+      out = append_coordinate(out, coordinate);
     }
   };
-  append_point(point.reference_mm, kSetPointDigits);
-  append_point(point.encoder_mm, kMeasuredDigits);
+  append_point(point.reference_mm, append_real<kSetPointDigits>);
+  append_point(point.encoder_mm, append_real<kMeasuredDigits>);
   return out;
 }
 
+char* append_seconds(char* out, Cycles cycles) {
+  static_assert(100'000'000 % kClkFreqHz == 0 && kTimeDigits == 8);
+  return append_units<kTimeDigits>(out, static_cast<std::uint64_t>(cycles.value() * (100'000'000 / kClkFreqHz)));
+}
+
 char* append_row(char* out, const TraceRow& row, std::string_view digest, ToolColumns tool_columns) {
-  out = append(out, row.tick);
+  out = append_integer(out, row.tick);
   *out++ = ',';
-  out = append(out, seconds_text(Cycles{row.cycle}));
+  out = append_seconds(out, Cycles{row.cycle});
   *out++ = ',';
   out = append_integers(out, row);
   *out++ = ',';

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "controller/base/units.hpp"
 #include "cosim/trace/trace_row.hpp"
 
 namespace armature::cosim {
@@ -39,6 +40,8 @@ enum class ToolColumns : bool { kNo, kYes };
 [[nodiscard]] char* append_integers(char* out, const TraceRow& row);
 [[nodiscard]] char* append_floats(char* out, const TraceRow& row);
 [[nodiscard]] char* append_tool_point(char* out, const TraceRow& row);  // nan for a row without a tool point
+// Simulated time [s] with kTimeDigits, as seconds_text().
+[[nodiscard]] char* append_seconds(char* out, Cycles cycles);
 // A whole row. `digest` is IntegerDigest::prefix() after this row.
 [[nodiscard]] char* append_row(char* out, const TraceRow& row, std::string_view digest, ToolColumns tool_columns);
 

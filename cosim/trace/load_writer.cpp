@@ -1,20 +1,24 @@
 #include "cosim/trace/load_writer.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <string>
 
+#include "cosim/text/decimal_text.hpp"
 #include "cosim/text/input_error.hpp"
-#include "cosim/time/clock.hpp"
+#include "cosim/trace/columns.hpp"
 
 namespace armature::cosim {
 namespace {
 
 void require(const std::ofstream& stream, const std::filesystem::path& file) {
   if (!stream) throw InputError{file.string(), std::string{"cannot write: "} + std::strerror(errno)};
+}
+
+char* comma(char* out) {
+  *out++ = ',';
+  return out;
 }
 
 }  // namespace
@@ -32,8 +36,14 @@ void LoadWriter::write(const TraceRow& row) {
     largest.bus_cycles = std::max(largest.bus_cycles, row.load[core].bus_cycles);
   }
   if (row.tick % every_ticks_ != 0) return;
-  stream_ << fmt::format("{},{},{},{},{},{}\n", row.tick, seconds_text(Cycles{row.cycle}), largest_[0].awake_cycles,
-                         largest_[1].awake_cycles, largest_[0].bus_cycles, largest_[1].bus_cycles);
+  std::array<char, 6 * (kMaxIntegerText + 1) + kTimeDigits> line{};
+  char* end = append_seconds(comma(append_integer(line.data(), row.tick)), Cycles{row.cycle});
+  for (const std::int64_t cycles :
+       {largest_[0].awake_cycles, largest_[1].awake_cycles, largest_[0].bus_cycles, largest_[1].bus_cycles}) {
+    end = append_integer(comma(end), cycles);
+  }
+  *end++ = '\n';
+  stream_.write(line.data(), end - line.data());
   largest_ = {};
 }
 
