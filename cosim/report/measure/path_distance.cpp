@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 #include "controller/base/math.hpp"
 
@@ -156,7 +157,31 @@ double distance_to_arc(const PositionPath& arc, const Vector3d& point) {
   return std::min((point - arc.start_mm).norm(), (point - arc.end_mm).norm());
 }
 
+Ball ball_of(const std::vector<Vector3d>& points) {
+  Ball ball{.center_mm = (points.front() + points.back()) / 2};
+  for (const Vector3d& point : points) ball.radius_mm = std::max(ball.radius_mm, (point - ball.center_mm).norm());
+  return ball;
+}
+
 }  // namespace
+
+Ball ball_around(const PositionPath& path) {
+  if (path.shape == PositionPath::Shape::kArc) {
+    const Vector3d half_advance = path.x.cross(path.y) * (path.advance_mm / 2);
+    return {.center_mm = path.center_mm + half_advance,
+            .radius_mm = std::sqrt(path.radius_mm * path.radius_mm + half_advance.squaredNorm())};
+  }
+  std::vector<Vector3d> points{path.start_mm, path.end_mm};
+  if (path.shape == PositionPath::Shape::kSpline) {
+    // A cubic is in the hull of its control points.
+    for (std::size_t i = 0; i + 1 < path.spline->points_mm().size(); ++i) {
+      const std::array<Vector3d, 4> c = path.spline->cubic_mm(i);
+      const Vector3d second = c[0] + c[1] / 3;
+      points.insert(points.begin() + 1, {second, second + (c[1] + c[2]) / 3, c[0] + c[1] + c[2] + c[3]});
+    }
+  }
+  return ball_of(points);
+}
 
 double distance_mm(const PositionPath& path, const Vector3d& point_mm) {
   switch (path.shape) {

@@ -12,4 +12,18 @@ namespace armature::cosim {
 // small.
 [[nodiscard]] double distance_mm(const PositionPath& path, const Eigen::Vector3d& point_mm);
 
+// All points of the path are in it.
+struct Ball {
+  Eigen::Vector3d center_mm = Eigen::Vector3d::Zero();
+  double radius_mm = 0;
+
+  // Whether no point of the path can be as near to the point as `mm`. Rounding does not matter.
+  [[nodiscard]] bool is_farther(const Eigen::Vector3d& point_mm, double mm) const {
+    constexpr double kRounding_mm = 1e-9;
+    const double reach_mm = mm + radius_mm + kRounding_mm;
+    return (point_mm - center_mm).squaredNorm() > reach_mm * reach_mm;
+  }
+};
+[[nodiscard]] Ball ball_around(const PositionPath& path);
+
 }  // namespace armature::cosim

@@ -46,10 +46,14 @@ void PathErrorMeter::add(const MoveStarted& move) {
 void PathErrorMeter::start_path(Path path, bool continues) {
   if (!std::exchange(on_path_, true) || !continues) chains_.emplace_back();
   const std::int64_t start_tick = path.start_tick;
-  std::deque<Path>& paths = chains_.back().paths;
-  paths.push_back(std::move(path));
+  Chain& chain = chains_.back();
+  chain.balls.push_back(ball_around(path.path));
+  chain.paths.push_back(std::move(path));
   // A rounded corner belongs to two paths.
-  while (paths.size() > kLongChain && start_tick - paths[2].start_tick > memory_ticks_) paths.pop_front();
+  while (chain.paths.size() > kLongChain && start_tick - chain.paths[2].start_tick > memory_ticks_) {
+    chain.paths.pop_front();
+    chain.balls.erase(chain.balls.begin());
+  }
 }
 
 void PathErrorMeter::add(const TraceRow& row) {
@@ -69,25 +73,37 @@ void PathErrorMeter::add(const TraceRow& row) {
   std::erase_if(chains_, [&](const Chain& chain) { return row.tick - chain.last_tick > memory_ticks_; });
   latest_ = {};
   if (!row.tool_point) return;
-  const auto judge = [&](const Eigen::Vector3d& point, auto first, std::optional<PathDeviation>& largest) {
+  const auto judge = [&](const Eigen::Vector3d& point, auto first, std::size_t Chain::*guess,
+                         std::optional<PathDeviation>& largest) {
     std::optional<Nearest> nearest;
-    for (auto chain = first; chain != chains_.end(); ++chain) measure(*chain, point, nearest);
+    for (auto chain = first; chain != chains_.end(); ++chain) measure(*chain, (*chain).*guess, point, nearest);
     if (!nearest) return std::optional<double>{};
     if (!largest || nearest->mm > largest->mm) {
       largest = {.mm = nearest->mm, .where = {.tick = row.tick, .at = Cycles{row.cycle}}, .move = nearest->move};
     }
     return std::optional{nearest->mm};
   };
-  if (on_path_) latest_.set_point_mm = judge(row.tool_point->reference_mm, chains_.end() - 1, set_points_);
+  if (on_path_)
+    latest_.set_point_mm = judge(row.tool_point->reference_mm, chains_.end() - 1, &Chain::near_set_point, set_points_);
   if (!foreign_ || row.tick - foreign_tick_ > memory_ticks_) {
-    latest_.encoder_mm = judge(row.tool_point->encoder_mm, chains_.begin(), encoders_);
+    latest_.encoder_mm = judge(row.tool_point->encoder_mm, chains_.begin(), &Chain::near_encoder, encoders_);
   }
 }
 
-void PathErrorMeter::measure(const Chain& chain, const Eigen::Vector3d& point_mm, std::optional<Nearest>& nearest) {
-  for (const Path& path : chain.paths) {
-    const double mm = distance_mm(path.path, point_mm);
-    if (!nearest || mm < nearest->mm) nearest = Nearest{mm, path.move};
+// Every path that may be nearest is measured, in the order of the chain: the first of equally near ones counts.
+void PathErrorMeter::measure(const Chain& chain, std::size_t& guess, const Eigen::Vector3d& point_mm,
+                             std::optional<Nearest>& nearest) {
+  const std::size_t guessed = std::min(guess, chain.paths.size() - 1);
+  const double guessed_mm = distance_mm(chain.paths[guessed].path, point_mm);
+  double least_mm = guessed_mm;
+  if (nearest) least_mm = std::min(least_mm, nearest->mm);
+  for (std::size_t i = 0; i < chain.balls.size(); ++i) {
+    if (chain.balls[i].is_farther(point_mm, least_mm)) continue;
+    const double mm = i == guessed ? guessed_mm : distance_mm(chain.paths[i].path, point_mm);
+    least_mm = std::min(least_mm, mm);
+    if (nearest && !(mm < nearest->mm)) continue;
+    nearest = Nearest{mm, chain.paths[i].move};
+    guess = i;
   }
 }
 

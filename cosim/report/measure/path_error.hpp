@@ -24,6 +24,7 @@
 #include "controller/base/units.hpp"
 #include "controller/message/move_started.hpp"
 #include "controller/trajectory/path/position_path.hpp"
+#include "cosim/report/measure/path_distance.hpp"
 #include "cosim/report/measure/run_place.hpp"
 #include "cosim/robot/robot_spec.hpp"
 #include "cosim/trace/trace_row.hpp"
@@ -69,14 +70,18 @@ class PathErrorMeter {
 
  private:
   struct Chain {
-    std::deque<Path> paths;      // of a long chain the last ones
+    std::deque<Path> paths;   // of a long chain the last ones
+    std::vector<Ball> balls;  // around them
+    // The paths that were nearest in the last row: good guesses for the next one.
+    std::size_t near_set_point = 0, near_encoder = 0;
     std::int64_t last_tick = 0;  // with set-points on it
   };
   struct Nearest {
     double mm = 0;
     Tag move{};
   };
-  static void measure(const Chain& chain, const Eigen::Vector3d& point_mm, std::optional<Nearest>& nearest);
+  static void measure(const Chain& chain, std::size_t& guess, const Eigen::Vector3d& point_mm,
+                      std::optional<Nearest>& nearest);
 
   std::int64_t memory_ticks_;
   std::vector<Chain> chains_;      // that a drive may still respond to; the last one is current if `on_path_`

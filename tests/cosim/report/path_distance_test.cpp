@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -150,6 +151,35 @@ TEST(PathDistance, OfAHelixDoesNotJumpToTheNextTurn) {
     const double share = random.real(0, 1), phi = share * kTurns * 2 * std::numbers::pi;
     const Vector3d on_helix{10 * std::cos(phi), 10 * std::sin(phi), 5 + share * kAdvance_mm};
     ASSERT_LT(distance_mm(helix, on_helix), 2e-10) << share;
+  }
+}
+
+// The ball of a path has all of its points, so no point of the path is nearer to a place than the ball is.
+void expect_in_ball(const PositionPath& path, const Vector3d& point) {
+  const Ball ball = ball_around(path);
+  EXPECT_LE((point - ball.center_mm).norm(), ball.radius_mm * (1 + 1e-12));
+  const Vector3d outside = ball.center_mm + Vector3d{0, ball.radius_mm + 5, 0};
+  EXPECT_FALSE(ball.is_farther(outside, distance_mm(path, outside)));
+  EXPECT_FALSE(ball.is_farther(outside, 5));
+  EXPECT_TRUE(ball.is_farther(outside, 4.99));
+}
+
+TEST(PathDistance, OfABallIsNotMoreThanThatOfThePathInIt) {
+  armature::test::Random random{173};
+  const auto anywhere = [&]() -> Vector3d { return {random.real(-9, 9), random.real(-9, 9), random.real(-9, 9)}; };
+  for (int i = 0; i < 100; ++i) {
+    const double share = random.real(0, 1), advance = random.real(-60, 60), turns = random.real(0.1, 3);
+    const PositionPath straight = line_path(anywhere(), anywhere());
+    expect_in_ball(straight, straight.start_mm + share * (straight.end_mm - straight.start_mm));
+    const double phi = share * turns * 2 * std::numbers::pi;
+    expect_in_ball(climbing(turns, advance), {10 * std::cos(phi), 10 * std::sin(phi), 5 + share * advance});
+    const auto spline = Spline::through(std::vector<Vector3d>{anywhere(), anywhere(), anywhere(), anywhere()});
+    if (!spline) continue;
+    PositionPath curve = line_path(spline->points_mm().front(), spline->points_mm().back());
+    curve.shape = PositionPath::Shape::kSpline;
+    curve.spline = &*spline;
+    const std::array<Vector3d, 4> c = spline->cubic_mm(static_cast<std::size_t>(i) % 3);
+    expect_in_ball(curve, c[0] + share * (c[1] + share * (c[2] + share * c[3])));
   }
 }
 

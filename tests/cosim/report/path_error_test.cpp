@@ -3,9 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
+#include "cosim/report/measure/path_distance.hpp"
+#include "tests/controller/support/random.hpp"
 #include "tests/cosim/support/position_paths.hpp"
 
 namespace armature::cosim {
@@ -191,6 +195,34 @@ TEST_F(PathErrorTest, RowsWithoutAToolPointAreNotJudged) {
   meter.add(row);
   EXPECT_FALSE(meter.of_set_points());
   EXPECT_FALSE(meter.of_encoders());
+}
+
+TEST_F(PathErrorTest, OfALongChainIsTheLeastOfAllItsPaths) {
+  armature::test::Random random{167};
+  const auto near = [&](const Vector3d& place, double mm) -> Vector3d {
+    return place + Vector3d{random.real(-mm, mm), random.real(-mm, mm), random.real(-mm, mm)};
+  };
+  std::vector<PositionPath> chain;
+  Vector3d from = Vector3d::Zero();
+  for (int i = 0; i < 60; ++i) {
+    const Vector3d to = near(from, i % 7 == 0 ? 20 : 0.5);
+    const auto bow = arc(from, near((from + to) / 2, 0.2), to);
+    chain.push_back(i % 3 == 0 && bow ? *bow : line_path(from, to));
+    start(chain.back(), i > 0);
+    from = to;
+  }
+  const auto least_mm = [&](const Vector3d& point) {
+    double least = distance_mm(chain.front(), point);
+    for (const PositionPath& path : chain) least = std::min(least, distance_mm(path, point));
+    return least;
+  };
+  for (int i = 0; i < 500; ++i) {
+    const PositionPath& by = chain[static_cast<std::size_t>(random.real(0, 59.9))];
+    const Vector3d set_point = near(by.start_mm, i % 5 == 0 ? 30 : 0.1), encoder = near(by.end_mm, 2);
+    tick(set_point, encoder);
+    ASSERT_EQ(meter.latest().set_point_mm, least_mm(set_point)) << i;
+    ASSERT_EQ(meter.latest().encoder_mm, least_mm(encoder)) << i;
+  }
 }
 
 }  // namespace
