@@ -9,22 +9,17 @@
 #include <utility>
 #include <vector>
 
+#include "tests/cosim/support/counted_row.hpp"
 #include "tests/support/split_mix.hpp"
 
 namespace armature::cosim {
 namespace {
 
 TraceRow hashed_row(std::int64_t tick) {
-  TraceRow row;
-  row.tick = tick;
+  TraceRow row = test::counted_row(tick);
   row.cycle = 3108 + 2500 * tick;
-  row.telemetry.state = MotionState::kMoving;
   for (std::size_t i = 0; i < kAxes; ++i) {
     const auto n = static_cast<std::int64_t>(i + 1);
-    row.telemetry.commanded[i] = Pulses{tick * n};
-    row.pin_pulses[i] = tick * n - 1;
-    row.telemetry.encoder[i] = Counts{-tick * n};
-    row.telemetry.correction[i] = Pulses{n};
     row.first_rise[i] = row.cycle - 2400 + n;
     row.turned[i] = i == 2 ? row.cycle - 2474 : 0;
     row.motor_from[i] = -tick * n * 16'777'216 + n;

@@ -11,6 +11,7 @@
 #include "cosim/trace/columns.hpp"
 #include "cosim/trace/csv_writer.hpp"
 #include "cosim/trace/integer_digest.hpp"
+#include "tests/cosim/support/counted_row.hpp"
 #include "tests/cosim/support/temp_folder.hpp"
 
 namespace armature::cosim {
@@ -22,15 +23,9 @@ using test::TempFolder;
 constexpr double kRadPerDeg = 3.14159265358979323846 / 180.0;
 
 TraceRow row_at(std::int64_t tick) {
-  TraceRow row;
-  row.tick = tick;
-  row.telemetry.state = MotionState::kMoving;
+  TraceRow row = test::counted_row(tick);
   for (std::size_t i = 0; i < kAxes; ++i) {
     const auto n = static_cast<std::int64_t>(i + 1);
-    row.telemetry.commanded[i] = Pulses{tick * n};
-    row.pin_pulses[i] = tick * n - 1;
-    row.telemetry.encoder[i] = Counts{-tick * n};
-    row.telemetry.correction[i] = Pulses{n};
     row.telemetry.reference[i] = Radians{static_cast<double>(n) * 1.5 * kRadPerDeg};
     row.telemetry.actual[i] = Radians{static_cast<double>(-n) * kRadPerDeg};
   }
