@@ -1,6 +1,7 @@
 // The host's side of the memory.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <optional>
 
@@ -19,7 +20,7 @@ class HostSide {
 
   // Why the controller has not started; null: it has, or will soon.
   [[nodiscard]] const BootReport* boot_problem() const noexcept {
-    return __atomic_load_n(&memory_.boot.problem, __ATOMIC_ACQUIRE) == 0 ? nullptr : &memory_.boot;
+    return load(memory_.boot.problem) == 0 ? nullptr : &memory_.boot;
   }
 
   // Writes a command to the ring of its source; the host then wakes core 1. False when the ring is full.
@@ -37,7 +38,7 @@ class HostSide {
   // Whether any of next_event(), lost_events(), new_telemetry() and boot_problem() may have something to say.
   [[nodiscard]] bool has_news() const noexcept {
     return has_events() || lost_events() != 0 || boot_problem() != nullptr ||
-           __atomic_load_n(&memory_.telemetry.published, __ATOMIC_ACQUIRE) != last_published_;
+           load(memory_.telemetry.published) != last_published_;
   }
   // The oldest unread event; events of core 0 come first.
   [[nodiscard]] std::optional<Event> next_event() noexcept;
@@ -51,6 +52,10 @@ class HostSide {
   [[nodiscard]] std::optional<Telemetry> new_telemetry() noexcept;
 
  private:
+  [[nodiscard]] static std::uint32_t load(std::uint32_t& word) noexcept {
+    return std::atomic_ref<std::uint32_t>{word}.load(std::memory_order_acquire);
+  }
+
   HostMemory& memory_;
   std::uint32_t last_published_ = 0;  // PublishedTelemetry::published
 };

@@ -77,21 +77,17 @@ class ModelSoc final : public Soc {
   }
 
   Progress access(const BusRequest& request, Cycles at, Cycles limit) override {
-    const std::optional<std::size_t> port = port_of(request.addr, Variant::kBases);
-    const Cycles start = at - stood_, executed = start + times_.executed;
-    const Cycles ends = start + (request.write ? times_.write_ends : times_.read_ends);
-    const bool alone =
-        quick_ && clock_running_ && is_silent() && port && ends + stood_ <= limit && logic_.wakes_at() > executed;
+    QuickAccess access = quick_access(request, at - stood_, times_, Variant::kBases);
+    const bool alone = quick_ && clock_running_ && is_silent() && access.port && access.ends + stood_ <= limit &&
+                       logic_.wakes_at() > access.executed;
     if (!alone) [[unlikely]]
       return Soc::access(request, at, limit);
-    Answer answer;
-    const bool changed = logic_.access(*port, executed, strobes_of(request), answer);
+    const bool changed = logic_.access(*access.port, access.executed, access.strobes(), access.answer);
     const Cycles quiet_until = logic_.wakes_at();
-    if (changed || quiet_until <= ends) [[unlikely]] {
-      return disturbed({request, port, start, executed, ends, answer}, changed, limit);
-    }
-    logic_.pass(ends);
-    return {response_of(request, answer), false, ends + stood_, quiet_until + stood_};
+    if (changed || quiet_until <= access.ends) [[unlikely]]
+      return disturbed(access, changed, limit);
+    logic_.pass(access.ends);
+    return {access.response(), false, access.ends + stood_, quiet_until + stood_};
   }
 
   [[nodiscard]] bool has_response() const override { return response_.has_value(); }
@@ -130,8 +126,7 @@ class ModelSoc final : public Soc {
 
   // Runs to the next edge that must be computed, or to `end`. Returns whether an output has changed.
   bool run_to(Cycles end) {
-    const bool handshakes = handshakes_;
-    Cycles next = handshakes || wave_.is_open() ? logic_.now() + Cycles{1} : logic_.wakes_at();
+    Cycles next = is_silent() ? logic_.wakes_at() : logic_.now() + Cycles{1};
     if (access_) next = std::min(next, access_->next_edge(logic_.now()));
     if (next > end) {
       logic_.pass(end);
@@ -143,7 +138,7 @@ class ModelSoc final : public Soc {
       return false;
     }
     logic_.pass(next - Cycles{1});
-    const bool changed = handshakes ? edge_with_handshakes() : edge();
+    const bool changed = handshakes_ ? edge_with_handshakes() : edge();
     if (wave_.is_open()) wave_.dump(now(), logic_.inputs(), logic_.outputs());
     return changed;
   }

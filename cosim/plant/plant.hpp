@@ -96,7 +96,7 @@ class Plant {
   [[nodiscard]] CountRange motor_counts_since(std::size_t axis, Cycles from) const {
     return ticks_ ? counts_in_tick(axis, from) : encoders_[axis].counts_since(from);
   }
-  // Where the motor was at the begin and the end of the step before `now`, or at most one step before that. A motor
+  // Where the motor was at the start and the end of the step before `now`, or at most one step before that. A motor
   // that rests makes no steps.
   struct MotorStep {
     Subcounts start, target;

@@ -53,7 +53,7 @@ bool Plant::finishes_step(Cycles now, Cycles spacing) {
 
 bool Plant::can_leave_out(const TickPulses& tick) const {
   if (!ticks_ && next_step_ != kNever && next_step_ != grid_from(tick.begins)) return false;
-  if ((tick.ends - tick.begins).value() > kPlantStep.value() * static_cast<std::int64_t>(TickSteps::kMost))
+  if ((tick.ends - tick.begins).value() > kPlantStep.value() * static_cast<std::int64_t>(TickSteps::kMaxSteps))
     return false;
   if (drop_out_ && (drop_out_->is_open() || drop_out_->opens_at() <= tick.ends)) return false;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {

@@ -23,10 +23,10 @@ namespace armature::cosim {
 
 class TickSteps {
  public:
-  static constexpr std::size_t kMost = 16;  // steps of a tick
+  static constexpr std::size_t kMaxSteps = 16;  // steps of a tick
 
-  // Takes the pulses of the tick, which has at most kMost steps, and moves the shafts through the steps that begin in
-  // it. `moving`: axes that need the next step. Pulses after the last step belong to the first one of the next tick.
+  // Takes the pulses of the tick, which has at most kMaxSteps steps, and moves the shafts through the steps that begin
+  // in it. `moving`: axes that need the next step. Pulses after the last step belong to the first one of the next tick.
   void run(const TickPulses& tick, std::span<const ServoDrive> drives, std::uint8_t moving, Mechanics& mechanics,
            Shafts& shafts);
 
@@ -64,11 +64,11 @@ class TickSteps {
   AxisNumbers taken_;             // without the sign
   AxisNumbers counts_per_pulse_;  // with the sign
   PerAxis<bool> count_is_negative_{};
-  AxisIntegers begin_;       // references at the begin of the tick [subcounts], of plain gears
+  AxisIntegers begin_;       // references at the start of the tick [subcounts], of plain gears
   bool plain_gears_ = true;  // a pulse is a count
 
   MotorDemands demands_;
-  std::array<Step, kMost> steps_;
+  std::array<Step, kMaxSteps> steps_;
   std::size_t size_ = 0;
   std::uint8_t moved_ = 0;
   std::size_t mover_ = 0;  // an axis that was moving

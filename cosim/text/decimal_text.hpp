@@ -18,17 +18,18 @@ inline constexpr double kLargestFixed = 1e15;       // of append_fixed()
   return std::to_chars(out, out + kMaxIntegerText, value).ptr;
 }
 
+// 10 to this power: the units of a last digit that make one.
+template <int kDigits>
+inline constexpr std::uint64_t kPowerOfTen = 10 * kPowerOfTen<kDigits - 1>;
+template <>
+inline constexpr std::uint64_t kPowerOfTen<0> = 1;
+
 // `units` of the last digit.
 template <int kDigits>
 [[nodiscard]] char* append_units(char* out, std::uint64_t units) {
-  constexpr std::uint64_t kOne = [] {
-    std::uint64_t one = 1;
-    for (int i = 0; i < kDigits; ++i) one *= 10;
-    return one;
-  }();
-  out = append_integer(out, static_cast<std::int64_t>(units / kOne));
+  out = append_integer(out, static_cast<std::int64_t>(units / kPowerOfTen<kDigits>));
   *out = '.';
-  std::uint64_t rest = units % kOne;
+  std::uint64_t rest = units % kPowerOfTen<kDigits>;
   for (int i = kDigits; i > 0; --i, rest /= 10) out[i] = static_cast<char>('0' + rest % 10);
   return out + kDigits + 1;
 }
@@ -45,9 +46,7 @@ template <int kDigits>
   // |value| = mantissa / 2^shift, and shift is positive because the value is below 2^50.
   const std::uint64_t mantissa = exponent == 0 ? fraction : fraction | std::uint64_t{1} << kFractionBits;
   const int shift = kBias - (exponent == 0 ? 1 : exponent);
-  std::uint64_t one = 1;
-  for (int i = 0; i < kDigits; ++i) one *= 10;
-  const Wide scaled = Wide{mantissa} * one;
+  const Wide scaled = Wide{mantissa} * kPowerOfTen<kDigits>;
   Wide units = 0;
   constexpr int kScaledBits = 53 + 30;  // a larger shift gives less than half a unit
   if (shift <= kScaledBits) {
@@ -56,8 +55,8 @@ template <int kDigits>
     if (rest > half || (rest == half && (units & 1) != 0)) ++units;
   }
   if (value < 0 && units != 0) *out++ = '-';
-  constexpr std::uint64_t kMost = INT64_MAX;
-  if (units > kMost)
+  constexpr std::uint64_t kMaxUnits = INT64_MAX;
+  if (units > kMaxUnits)
     return std::to_chars(out, out + kMaxFixedText, std::fabs(value), std::chars_format::fixed, kDigits).ptr;
   return append_units<kDigits>(out, static_cast<std::uint64_t>(units));
 }

@@ -29,7 +29,7 @@ constexpr NamedRule kRules[] = {
 
 // Whether the text is a number that needs no other check: a few digits, for reals with a point between them.
 bool is_plain(std::string_view text, Kind kind) {
-  constexpr std::size_t kMostDigits = 18;
+  constexpr std::size_t kMaxDigits = 18;
   if (text.starts_with('-')) text.remove_prefix(1);
   std::size_t points = 0;
   for (const char c : text) {
@@ -39,7 +39,7 @@ bool is_plain(std::string_view text, Kind kind) {
       return false;
     }
   }
-  return text.size() <= kMostDigits && points <= (kind == Kind::kReal ? 1U : 0U) && !text.empty() &&
+  return text.size() <= kMaxDigits && points <= (kind == Kind::kReal ? 1U : 0U) && !text.empty() &&
          text.front() != '.' && text.back() != '.';
 }
 

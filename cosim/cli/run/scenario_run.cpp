@@ -92,7 +92,6 @@ RunSummary run_scenario(const Scenario& scenario, const ScenarioRunOptions& opti
     if (options.serial_peer != nullptr) ended.heard = options.serial_log;
     ended.show_progress = options.show_progress;
     summary.moment_wave = write_moment_wave(*options.moment_wave, ended);
-    summary.wave_written = summary.moment_wave->written();
   }
   return summary;
 }

@@ -27,19 +27,19 @@ double distance_to_segment(const Vector3d& start, const Vector3d& end, const Vec
   return (start + nearest_share(start, end, point) * (end - start) - point).norm();
 }
 
-// A search for the nearest point of curves at(u). Between u = a and b a curve is nowhere farther from its chord than
-// (b - a)^2 / 8 times its largest second derivative. So the distance to the chord less this is a lower bound for the
-// whole range. A range is halved until its bound shows that it has no point nearer than the nearest one that is known.
-// No sharp bend and no neighbouring turn can hide the nearest point, as it can from a search that begins at samples.
+// A search for the nearest point of curves at(u), u from 0 to 1. Between u = a and b a curve is nowhere farther from
+// its chord than (b - a)^2 / 8 times its largest second derivative. So the distance to the chord less this is a lower
+// bound for the whole range. A range is halved until its bound shows that it has no point nearer than the nearest one
+// that is known. No sharp bend can hide the nearest point, as it can from a search that begins at samples.
 class NearestPoint {
  public:
-  static constexpr int kHalvings = 50;  // of a whole curve; beyond them are only rounding errors
+  static constexpr int kHalvings = 50;  // of a curve; beyond them are only rounding errors
 
   explicit NearestPoint(const Vector3d& point) : point_{point} {}
 
   // `most_bend(a, b)` is the largest size of the second derivative between them.
   template <class At, class MostBend>
-  void search(double from, double to, At at, MostBend most_bend) {
+  void search(At at, MostBend most_bend) {
     struct Range {
       double a = 0, b = 0;
       Vector3d start, end;
@@ -48,9 +48,9 @@ class NearestPoint {
     std::array<Range, kHalvings + 2> waiting;
     std::size_t count = 0;
     const auto add = [&](const Range& range) { waiting[count++] = range; };
-    add({from, to, at(from), at(to)});
+    add({0, 1, at(0), at(1)});
     visit(waiting[0].start);
-    const double least_width = std::ldexp(to - from, -kHalvings);
+    const double least_width = std::ldexp(1.0, -kHalvings);
     while (count > 0) {
       const Range range = waiting[--count];
       const double width = range.b - range.a;
@@ -83,9 +83,9 @@ class NearestPoint {
 // first rises, so Newton's method comes nearer from below and cannot pass the solution.
 double smallest_root(double a, double b, double c) {
   constexpr double kConverged = 1e-8;  // the next step would be some square of this
-  constexpr int kMost = 100;           // steps; where two solutions meet, each halves the error
+  constexpr int kMaxSteps = 100;       // where two solutions meet, each halves the error
   double s = 0;
-  for (int i = 0; i < kMost; ++i) {
+  for (int i = 0; i < kMaxSteps; ++i) {
     const math::SinCos at = math::sin_cos(s);
     const double slope = a * at.cos + b;
     const double step = (c - a * at.sin - b * s) / slope;
@@ -140,7 +140,7 @@ double distance_to_spline(const Spline& spline, const Vector3d& point) {
     const auto at = [&](double u) -> Vector3d { return c[0] + u * (c[1] + u * (c[2] + u * c[3])); };
     const auto bend = [&](double u) { return (2 * c[2] + 6 * u * c[3]).norm(); };
     // The second derivative is linear, so it is largest at an end.
-    nearest.search(0, 1, at, [&](double a, double b) { return std::max(bend(a), bend(b)); });
+    nearest.search(at, [&](double a, double b) { return std::max(bend(a), bend(b)); });
   }
   return nearest.mm();
 }
