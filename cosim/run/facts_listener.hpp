@@ -24,6 +24,8 @@ class FactsListener final : public RunListener {
   // Of the run so far.
   [[nodiscard]] RunFacts facts() const { return facts_.facts(); }
   [[nodiscard]] const std::vector<FaultEvent>& faults() const { return facts_.faults(); }
+  // The robot must have kinematics.
+  [[nodiscard]] ToolPoint tool_point(const Telemetry& telemetry) const { return tool_->measure(telemetry); }
 
  private:
   RunFactsCollector facts_;

@@ -4,6 +4,7 @@
 
 #include "cosim/kernel/scenario_soc.hpp"
 #include "cosim/report/judge/expect.hpp"
+#include "cosim/report/measure/tool_point.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -15,12 +16,11 @@ constexpr std::int64_t kWriteTicks = 2'000;  // 0.1 s: the most that a killed ru
 Run::Run(const Scenario& scenario, RunParts parts)
     : scenario_{scenario},
       facts_{scenario},
-      simulation_{scenario, make_soc(scenario), *this, std::move(parts.wave), parts.serial_peer} {
-  if (needs_tool_point(scenario)) tool_.emplace(scenario);
-}
+      needs_tool_point_{needs_tool_point(scenario)},
+      simulation_{scenario, make_soc(scenario), *this, std::move(parts.wave), parts.serial_peer} {}
 
 void Run::on_row(TraceRow& row) {
-  if (tool_) row.tool_point = tool_->measure(row.telemetry);
+  if (needs_tool_point_) row.tool_point = facts_.tool_point(row.telemetry);
   digest_.add(row);
   for (RunListener* listener : listeners_) listener->on_row(row, digest_);
   ++ticks_;

@@ -17,7 +17,6 @@
 #include "controller/base/units.hpp"
 #include "cosim/kernel/simulation.hpp"
 #include "cosim/report/judge/run_summary.hpp"
-#include "cosim/report/measure/tool_point.hpp"
 #include "cosim/run/facts_listener.hpp"
 #include "cosim/run/run_listener.hpp"
 #include "cosim/scenario/scenario.hpp"
@@ -71,7 +70,7 @@ class Run final : private SimulationListener {
   const Scenario& scenario_;
   FactsListener facts_;
   std::vector<RunListener*> listeners_{&facts_};
-  std::optional<ToolPointMeter> tool_;  // none: neither a report nor a listener needs it
+  bool needs_tool_point_ = false;  // a report or a listener does
   IntegerDigest digest_;
   std::int64_t ticks_ = 0;  // that have ended
   Simulation simulation_;
