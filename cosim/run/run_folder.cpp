@@ -61,6 +61,10 @@ bool still_there(const FileDescriptor& mark, const fs::path& file) {
          opened.st_dev == found.st_dev;
 }
 
+FileDescriptor open_mark(const fs::path& folder) {
+  return FileDescriptor{::open((folder / kMarkName).c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK)};
+}
+
 }  // namespace
 
 void create_folder(const fs::path& folder) {
@@ -102,8 +106,13 @@ void RunFolder::finish() {
   mark_.close();
 }
 
+bool is_being_written(const fs::path& folder) {
+  const FileDescriptor mark = open_mark(folder);
+  return mark && !lock(mark, LOCK_SH);
+}
+
 std::optional<std::string> why_unfinished(const fs::path& folder) {
-  const FileDescriptor mark{::open((folder / kMarkName).c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK)};
+  const FileDescriptor mark = open_mark(folder);
   if (!mark) return std::nullopt;
   const bool ended = lock(mark, LOCK_SH);
   return ended ? "the run that wrote it was killed or failed in the middle" : holder(mark) + " is still writing it";

@@ -49,6 +49,9 @@ class RunFolder {
   FileDescriptor mark_;
 };
 
+// Whether a run is writing into this folder now. On a file system without locks: false.
+[[nodiscard]] bool is_being_written(const std::filesystem::path& folder);
+
 // Why the results in this folder are not complete, in words that fit each of its files. Nothing if there is no mark.
 [[nodiscard]] std::optional<std::string> why_unfinished(const std::filesystem::path& folder);
 

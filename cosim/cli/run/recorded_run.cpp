@@ -13,10 +13,15 @@ namespace armature::cosim {
 RunRecord recorded_run(const std::filesystem::path& folder) {
   if (const auto why = why_unfinished(folder)) {
     std::cerr << fmt::format("{}: unfinished: {}\n", printable(folder.string(), kShowAll), *why);
-    std::error_code ignored;
-    if (std::filesystem::exists(folder / kTraceFile, ignored) &&
-        !std::filesystem::exists(folder / kSummaryFile, ignored))
-      return read_run_record(folder, kTraceFile, unfinished_summary(folder), folder);
+  }
+  return run_record_so_far(folder);
+}
+
+RunRecord run_record_so_far(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  if (why_unfinished(folder) && std::filesystem::exists(folder / kTraceFile, ignored) &&
+      !std::filesystem::exists(folder / kSummaryFile, ignored)) {
+    return read_run_record(folder, kTraceFile, unfinished_summary(folder), folder);
   }
   return read_run_record(folder, kTraceFile, kSummaryFile);
 }

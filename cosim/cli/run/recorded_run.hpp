@@ -12,6 +12,9 @@ namespace armature::cosim {
 // before the run: the scenario and the robot. Throws InputError when the folder has no results.
 [[nodiscard]] RunRecord recorded_run(const std::filesystem::path& folder);
 
+// The same without the warning.
+[[nodiscard]] RunRecord run_record_so_far(const std::filesystem::path& folder);
+
 // The files that recorded_run() reads are inputs of the command. Throws InputError when there is no such folder.
 void reads_results(OutputFiles& files, const std::filesystem::path& folder);
 

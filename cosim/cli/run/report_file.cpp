@@ -28,7 +28,7 @@ std::optional<OtherTrace> golden_of(const RunRecord& run) {
 }  // namespace
 
 std::string write_report(const fs::path& folder, const fs::path& page, const ReportRequest& request) {
-  const RunRecord run = recorded_run(folder);
+  const RunRecord run = request.so_far ? run_record_so_far(folder) : recorded_run(folder);
   const auto& other = request.other;
   const auto compared =
       other ? std::optional{OtherTrace{.name = other->string(), .trace = read_trace_table(*other)}} : golden_of(run);

@@ -22,6 +22,7 @@ struct ReportRequest {
   // A trace to show, too. None: the golden of the scenario, if the run was compared with it.
   std::optional<std::filesystem::path> other{};
   PageOptions page{};
+  bool so_far = false;  // no warning about a run that is not complete
 };
 
 // Writes the page of the results in `folder` to `page`. Returns the digest of its content. Throws InputError when the

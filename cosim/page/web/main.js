@@ -12,7 +12,7 @@ function showReport() {
   showExpectations(place('side'), run);
   showMoves(place('side'), run, timeline);
   followAddress(timeline, location.hash, run.page.shown);
-  if (run.page.digest) watchReport(place('head'), run.page.digest, timeline);
+  if (run.page.digest) watchReport(place('head'), run.page, timeline);
   document.body.dataset.ready = 'yes';
   // For tests and for the console of the browser.
   window.report = { run, timeline, plots, lanes, arm, selection, pathErrors };

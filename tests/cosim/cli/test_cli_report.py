@@ -2,8 +2,10 @@
 
 import json
 import re
+import signal
+import subprocess
 
-from cli_program import BRIEF, TINY, Program, main
+from cli_program import BRIEF, SCENARIOS, TINY, Program, main
 
 
 def data_of(page):
@@ -51,6 +53,50 @@ class Report(Program):
         self.assertEqual(data["other"]["trace"], data["trace"])
         done = self.armature("compare", "a/trace.csv", "b/trace.csv", "--report", "b/summary.json", code=2)
         self.assertIn("summary.json", done.stderr)
+
+    def test_a_report_follows_a_run_to_its_end(self):
+        run = self.start("run", SCENARIOS / "fig9_joint_move", "--out", "x", "--set", "duration_s=1000")
+        self.wait_for("x/trace.csv")
+        report = self.start("report", "x", "--follow")
+
+        def rows():
+            file = self.folder / "x/report.html"
+            return data_of(file.read_text())["trace"]["columns"][0]["rows"] if file.exists() else 0
+
+        self.wait_until(lambda: rows() > 0)
+        before, digest = rows(), self.page("x/reload.js")
+        self.wait_until(lambda: rows() > before)
+        self.assertIsNone(report.poll())
+        run.kill()
+        self.assertEqual(report.wait(timeout=60), 0)
+        self.assertNotEqual(self.page("x/reload.js"), digest)
+        self.assertEqual(rows(), len(self.page("x/trace.csv").splitlines()) - 1)
+        self.assertIsNone(data_of(self.page("x/report.html"))["page"]["shown"])
+
+    def test_a_report_of_a_run_that_is_over_does_not_wait(self):
+        self.armature("run", TINY, *BRIEF, "--out", "x")
+        self.armature("report", "x", "--follow")
+        self.assertEqual(data_of(self.page("x/report.html"))["summary"]["result"]["passed"], True)
+
+    def test_ctrl_c_ends_a_report_that_follows(self):
+        self.start("run", SCENARIOS / "fig9_joint_move", "--out", "x", "--set", "duration_s=1000")
+        self.wait_for("x/trace.csv")
+        report = self.start("report", "x", "--follow")
+        self.wait_for("x/reload.js")
+        report.send_signal(signal.SIGINT)
+        self.assertEqual(report.wait(timeout=60), 130)
+
+    def start(self, *arguments):
+        """A program beside this one, killed at the end of the test."""
+        program = subprocess.Popen(
+            [self.path, *map(str, arguments)],
+            cwd=self.folder,
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
+        )
+        self.addCleanup(program.wait)
+        self.addCleanup(program.kill)
+        return program
 
     def test_bad_input_is_told(self):
         self.assertIn("y: is no folder", self.armature("report", "y", code=2).stderr)

@@ -177,6 +177,30 @@ class Report(Panels):
         page = (self.folder / "x").resolve().as_uri()
         self.assertLessEqual(beside, {page + "/report.html", page + "/reload.js"})
 
+    def test_a_page_of_a_growing_run_shows_its_newest_moment(self):
+        programs = []
+        for arguments in (
+            ("run", SCENARIOS / "fig9_joint_move", "--out", "x", "--set", "duration_s=1000"),
+            ("report", "x", "--follow"),
+        ):
+            programs.append(
+                subprocess.Popen(
+                    [self.path, *arguments], cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+                )
+            )
+            self.addCleanup(programs[-1].wait)
+            self.addCleanup(programs[-1].kill)
+            self.wait_for("x/trace.csv")
+        self.addCleanup(self.page.of_page, "Page.navigate", url="about:blank")
+        self.wait_for("x/reload.js")
+        self.page.open(self.folder / "x/report.html")
+        ready = "document.body && document.body.dataset.ready === 'yes'"
+        newest = "report.timeline.time === report.run.end && report.timeline.window[1] === report.run.end"
+        self.page.wait_until(f"{ready} && report.run.end > 0.5 && {newest}")
+        # The page keeps what the user looks at.
+        self.page.wait_until(f"{ready} && (report.timeline.setTime(0.01), window.end = report.run.end, true)")
+        self.page.wait_until(f"{ready} && window.end === undefined && report.timeline.time === 0.01")
+
     def test_a_fault_is_a_lane(self):
         scenario = self.copy_of(TINY)
         with (scenario / "scenario.toml").open("a") as file:
