@@ -1,6 +1,6 @@
 // The joints between the segments of a plan: which are passed, and how corners are rounded.
 //
-//   smooth   the tool and its rotation go on in the same direction: passed on the path, at the speed that the limits
+//   smooth   the tool and its rotation continue in the same direction: passed on the path, at the speed that the limits
 //            allow. With limited jerk a jump of the curvature is passed slowly, unless it is rounded with `blend_mm`
 //   rounded  the direction changes and `blend_mm` is above 0: a piece of path with a continuous curvature
 //            (cartesian_plan.hpp)

@@ -80,7 +80,7 @@ class LawGrid {
     std::size_t segment = 0;  // the first one of a corner
     Part part = Part::kBetween;
     double from = 0.0, to = 0.0;
-    bool open_before = false, open_after = false;  // the derivatives go on beyond its ends
+    bool open_before = false, open_after = false;  // the derivatives continue beyond its ends
   };
   // Where two segments meet without a corner: the jumps of the direction and of the rotation per mm.
   struct Kink {

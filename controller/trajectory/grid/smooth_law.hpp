@@ -6,7 +6,7 @@
 // sharp for it are made plateaus (plateaus.hpp), until there are none.
 //
 // The last motion can be continued while it is executed, with the same tau. Up to a time, its average depends only on
-// the law up to that time, so the law goes on at its own joint, ahead of the average.
+// the law up to that time, so the law continues at its own joint, ahead of the average.
 #pragma once
 
 #include <array>

@@ -90,7 +90,7 @@ struct SegmentRequest {
   PathLimits limits{};
   ProfileKind profile = ProfileKind::kTrapezoid;
   // Largest distance of the rounded corner to the next segment from the corner point and from both segments; 0: exact
-  // stop, except where the next segment goes on in the same direction. Half of the shorter segment may be rounded.
+  // stop, except where the next segment continues in the same direction. Half of the shorter segment may be rounded.
   // Within the corner both rotations are superposed, and so are pitch and roll. The corner is so short that the
   // rotation, as the way of a point kTurnLever_mm from the tool point, keeps this distance as well (path_corners.hpp).
   // Where jerk is limited, a jump of the curvature, as between a line and an arc, is rounded as well.

@@ -1,7 +1,7 @@
 // The outputs of a path, from one plan to the windows that continue it.
 //
 // A window has the outputs of its segments again. Core 0 may have switched some of them when it begins with the window.
-// So outputs in the time in which both plans are the same keep their times and their order, and core 0 goes on behind
+// So outputs in the time in which both plans are the same keep their times and their order, and core 0 continues behind
 // the last one that it has switched.
 #pragma once
 

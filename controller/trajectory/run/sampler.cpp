@@ -70,7 +70,7 @@ void Sampler::restart_clock(double rate, bool in_motion) noexcept {
 
 bool Sampler::can_continue_with(const CartesianPlan& next) const noexcept {
   const double ticks = clock_.time() - static_cast<double>(next.origin.value());
-  // A change of the rate that does not limit the jerk goes on as it is.
+  // A change of the rate that does not limit the jerk continues as it is.
   const bool may_change = clock_.steady() || run_.limits_jerk || !next.first_run.limits_jerk;
   return busy_ && may_change && ticks >= CartesianPlan::kLeastTicks && ticks <= next.same_until_ticks;
 }

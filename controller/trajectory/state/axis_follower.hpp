@@ -22,7 +22,7 @@ class AxisFollower {
   // Limits > 0; jerk only for kSCurve. The axis stands at `position`, inside its range.
   AxisFollower(ProfileKind kind, const TimeLawLimits& limits, const Range& range, double position) noexcept;
 
-  // Goes on from here: a state within the limits, from which the axis can stop inside its range.
+  // Continues from here: a state within the limits, from which the axis can stop inside its range.
   void set_state(const AxisState& state) noexcept { state_ = state; }
 
   // Makes one tick. `reference`: where the axis should be after it.

@@ -77,13 +77,13 @@ class PhaseLaw {
   // For t_s < 0 the state at 0; from the duration on that of the end. At a jump of the acceleration the value after it.
   [[nodiscard]] AxisState at(double t_s) const noexcept;
 
-  // The least and the largest position from begin to end.
+  // The least and the largest position from start to end.
   struct Extent {
     double least = 0.0;
     double largest = 0.0;
   };
   [[nodiscard]] Extent extent() const noexcept;
-  // The largest speed from begin to end.
+  // The largest speed from start to end.
   [[nodiscard]] double peak_speed() const noexcept;
   // The largest magnitude of the acceleration.
   [[nodiscard]] double peak_accel() const noexcept;

@@ -36,7 +36,7 @@ void require_no_pendant(TableReader& root, const Scenario& scenario) {
   if (!scenario.pendant) return;
   if (scenario.ends_with_program) root.problem("duration_s", "missing, needed with [pendant]");
   if (scenario.program_resumes_after_s) {
-    root.problem("program_resumes_after_s", "not allowed with [pendant]: the operator lets the program go on");
+    root.problem("program_resumes_after_s", "not allowed with [pendant]: the operator resumes the program");
   }
 }
 

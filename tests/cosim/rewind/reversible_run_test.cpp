@@ -182,7 +182,7 @@ TEST(ReversibleRun, StopsBehindTheCycleThatMeetsACondition) {
 class Throws final : public StopCondition {
  public:
   void on_row(const TraceRow& row, const IntegerDigest&) override {
-    if (row.tick == 50) throw std::runtime_error{"cannot go on"};
+    if (row.tick == 50) throw std::runtime_error{"cannot continue"};
   }
 };
 
@@ -193,7 +193,7 @@ TEST(ReversibleRun, SaysWhyItCannotContinue) {
     run.go_to_tick(60);
     FAIL();
   } catch (const std::runtime_error& error) {
-    EXPECT_STREQ(error.what(), "cannot go on");
+    EXPECT_STREQ(error.what(), "cannot continue");
   }
   EXPECT_THROW(run.go_to(Cycles{0}), std::runtime_error);
 }

@@ -164,7 +164,7 @@ inline constexpr std::array kInstructions{
     Instruction{Op::kCos, "COS", "nv", 0, "cosine of degrees"},
     Instruction{Op::kAtan, "ATAN", "nv", 0, "arc tangent in degrees"},
     Instruction{Op::kClear, "CLEAR", "d?v", 0, "sets variables to 0 from one on: a number of them, or ALL"},
-    Instruction{Op::kJump, "JUMP", "lg", 0, "goes on at a label, or in another job"},
+    Instruction{Op::kJump, "JUMP", "lg", 0, "continues at a label, or in another job"},
     Instruction{Op::kCall, "CALL", "jag", 0, "executes another job and returns"},
     Instruction{Op::kGetarg, "GETARG", "dv", 0, "reads an argument of CALL"},
     Instruction{Op::kRet, "RET", "?vg", 0, "returns to the calling job, with a value"},
