@@ -96,8 +96,8 @@ std::string name_at(std::size_t place) {
   auto find = [&](const Field& field) {
     if (!name.empty() || field.offset + field.bytes <= place) return;
     for (const NamePart* part = field.name; part->outer != nullptr; part = part->outer) {
-      name = (part->name.empty() ? std::to_string(part->index) : std::string{part->name}) + (name.empty() ? "" : ".") +
-             name;
+      if (!name.empty()) name.insert(0, ".");
+      name.insert(0, part->name.empty() ? std::to_string(part->index) : std::string{part->name});
     }
   };
   describe<T>(0, NamePart{}, find);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
@@ -326,7 +327,8 @@ std::string layout() {
       << "## HostMemory, " << sizeof(HostMemory) << " bytes\n\n| offset | bytes | member |\n|---:|---:|---|\n";
   const auto memory = std::make_unique<HostMemory>();
   for_each_member(*memory, [&](const char* name, const auto& member) {
-    const auto offset = reinterpret_cast<const char*>(&member) - reinterpret_cast<const char*>(memory.get());
+    const auto address = [](const void* object) { return static_cast<const std::byte*>(object); };
+    const auto offset = address(&member) - address(memory.get());
     out << "| " << offset << " | " << sizeof(member) << " | `" << name << "` |\n";
   });
   out << "\n`commands`: " << kHostSources << " rings of " << CommandRing::kCapacity << " slots with "
