@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -36,13 +37,17 @@ class FixedText {
     if (size_ < kSize) characters_[size_++] = character;
     return *this;
   }
-  constexpr FixedText& operator<<(std::int64_t number) noexcept {
+  // Which of the fixed-width types are int and long differs between processors, so each of these is one of all types.
+  template <std::signed_integral Number>
+  constexpr FixedText& operator<<(Number number) noexcept {
     if (number < 0) *this << '-';
-    return append_digits(number < 0 ? 0 - static_cast<std::uint64_t>(number) : static_cast<std::uint64_t>(number), 1);
+    const auto bits = static_cast<std::uint64_t>(static_cast<std::int64_t>(number));
+    return append_digits(number < 0 ? 0 - bits : bits, 1);
   }
-  constexpr FixedText& operator<<(std::uint32_t number) noexcept { return append_digits(number, 1); }
-  constexpr FixedText& operator<<(int number) noexcept { return *this << static_cast<std::int64_t>(number); }
-  constexpr FixedText& operator<<(std::size_t number) noexcept { return append_digits(number, 1); }
+  template <std::unsigned_integral Number>
+  constexpr FixedText& operator<<(Number number) noexcept {
+    return append_digits(number, 1);
+  }
 
   // With at least this number of digits.
   constexpr FixedText& append_digits(std::uint64_t number, int digits) noexcept {
