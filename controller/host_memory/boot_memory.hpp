@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <new>
 #include <string_view>
 #include <type_traits>
@@ -31,10 +32,12 @@ struct BootProgram {
 class BootMemory {
  public:
   BootMemory(const RobotModel& robot, const ControllerConfig& config, const BootProgram& program = {})
-      : words_(room_for(program)), memory_{*new (words_.data()) HostMemory{}} {
+      : bytes_{room_for(program)},
+        pages_{new (kPage) Byte[whole_pages(bytes_)]{}},
+        memory_{*new (pages_.get()) HostMemory{}} {
     memory_.magic = kMagic;
     memory_.layout = layout_of_memory();
-    memory_.bytes = static_cast<std::uint32_t>(words_.size() * sizeof(words_[0]));
+    memory_.bytes = static_cast<std::uint32_t>(bytes_);
     put(memory_.robot.data(), 0, robot);
     put(memory_.config.data(), 0, config);
     put(memory_.program.data(), 0, written(program));
@@ -44,15 +47,25 @@ class BootMemory {
 
   [[nodiscard]] HostMemory& memory() noexcept { return memory_; }
 
+  // The memory begins at a page and fills whole pages, so that a simulator of instructions can map it.
+  [[nodiscard]] static constexpr std::size_t whole_pages(std::size_t bytes) noexcept {
+    return (bytes + kPageBytes - 1) / kPageBytes * kPageBytes;
+  }
+
  private:
-  using Words = std::vector<std::uint64_t>;
-  static_assert(alignof(HostMemory) <= alignof(std::uint64_t) && std::is_trivially_destructible_v<HostMemory>);
+  using Byte = std::uint8_t;
+  static constexpr std::size_t kPageBytes = 4096;
+  static constexpr std::align_val_t kPage{kPageBytes};
+  struct Free {
+    void operator()(Byte* pages) const noexcept { ::operator delete[](pages, kPage); }
+  };
+  static_assert(std::is_trivially_destructible_v<HostMemory>);
 
   static std::size_t room_for(const BootProgram& program) {
     std::size_t bytes = sizeof(HostMemory);
     for (const BootProgram::File& file : program.files) bytes += file.name.size() + file.text.size();
     assert(program.files.size() <= ProgramFiles::kMax && bytes <= std::numeric_limits<std::uint32_t>::max());
-    return (bytes + sizeof(std::uint64_t) - 1) / sizeof(std::uint64_t);
+    return (bytes + alignof(HostMemory) - 1) / alignof(HostMemory) * alignof(HostMemory);
   }
   // Writes the names and the texts.
   ProgramFiles written(const BootProgram& program) {
@@ -70,7 +83,8 @@ class BootMemory {
     return files;
   }
 
-  Words words_;
+  std::size_t bytes_;
+  std::unique_ptr<Byte[], Free> pages_;
   HostMemory& memory_;
 };
 
