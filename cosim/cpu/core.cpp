@@ -23,7 +23,12 @@ bool takes_time(const CpuSpec& spec) {
 
 Core::Core(int number, const CpuSpec& spec, Main main)
     : number_{number}, spec_{spec}, takes_time_{takes_time(spec)}, fiber_{[this, main = std::move(main)] {
-        main(*this);
+        try {
+          main(*this);
+        } catch (...) {
+          failure_ = std::current_exception();
+        }
+        wait_ = Wait::kHalted;
       }} {}
 
 void Core::run_ahead(RunAhead& simulation, const Core& other) {
@@ -99,6 +104,7 @@ void Core::resume(Cycles now) {
   is_ahead_ = false;
   wait_ = Wait::kNothing;
   fiber_.resume();
+  if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
 }
 
 Interrupts Core::active(Interrupts mask) const {

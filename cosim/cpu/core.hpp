@@ -10,6 +10,7 @@
 #pragma once
 
 #include <cstdint>
+#include <exception>
 #include <functional>
 #include <optional>
 #include <string>
@@ -40,7 +41,7 @@ class Core final : private RegisterBus {
 
   // ---- time: cycle at which the core continues, if it waits for time to pass
   [[nodiscard]] std::optional<Cycles> wakes_at() const;
-  // Continues the core if it is due at `now`.
+  // Continues the core if it is due at `now`. Throws what ends its main, as all that continues it.
   void run_if_due(Cycles now);
 
   // ---- bus: the request for which the core waits, until complete() passes the response
@@ -105,8 +106,9 @@ class Core final : private RegisterBus {
   bool event_sent_ = false;
   RunAhead* simulation_ = nullptr;
   const Core* other_ = nullptr;
-  bool is_ahead_ = false;  // since it was continued it has run ahead
-  Cycles horizon_{};       // of a core that is ahead
+  std::exception_ptr failure_;  // has ended the main
+  bool is_ahead_ = false;       // since it was continued it has run ahead
+  Cycles horizon_{};            // of a core that is ahead
 };
 
 }  // namespace armature::cosim

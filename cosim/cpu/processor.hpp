@@ -1,7 +1,7 @@
 // The processing system with its two cores: runs the controller in simulated time.
 //
 // The controller and its host share only one memory (controller/host_memory/memory.hpp) and interrupt lines. Neither
-// side calls the other. So a processor may run the controller as compiled for the host (FiberProcessor) or execute the
+// side calls the other. So a processor may run the controller as compiled for the host (HostProgram) or execute the
 // instructions of its cross-compiled program. A core takes simulated time for its computations and for each access to a
 // register. It runs only inside the functions below that have a parameter `now`. Each of them returns when all cores
 // wait.

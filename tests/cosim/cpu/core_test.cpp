@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
 #include <vector>
 
 namespace armature::cosim {
@@ -143,6 +144,18 @@ TEST(Core, AHaltedCoreAsksForNothingAndNeverWakes) {
   core.run_if_due(Cycles{400});
   EXPECT_EQ(executed, 0);
   EXPECT_EQ(core.longest_awake(Cycles{9'999}), Cycles{30}) << "a halted core does not work";
+}
+
+TEST(Core, PassesOnWhatEndsItsMainAndHalts) {
+  Core core{0, kSpec, [](RegisterBus& bus) {
+              (void)bus.wait_for_interrupt(Interrupts::kEvent);
+              throw std::runtime_error{"undefined instruction"};
+            }};
+  core.run_if_due(Cycles{0});
+  EXPECT_THROW(core.set_event(Cycles{7}), std::runtime_error);
+  EXPECT_EQ(core.state(), CoreState::kHalted);
+  core.set_event(Cycles{9});
+  EXPECT_FALSE(core.wakes_at());
 }
 
 TEST(Core, ExecutesNothingMoreOfItsMainAtItsEndInAnyKindOfWait) {

@@ -1,20 +1,20 @@
-// A processor that runs the controller as compiled for the host: each core is a fiber.
+// A processor of two cores, each of which is a fiber, that run the two mains of a program.
 #pragma once
 
 #include <array>
 #include <deque>
+#include <memory>
 
-#include "controller/app/controller.hpp"
-#include "controller/host_memory/memory.hpp"
 #include "cosim/cpu/core.hpp"
+#include "cosim/cpu/core_program.hpp"
 #include "cosim/cpu/cpu_spec.hpp"
 #include "cosim/cpu/processor.hpp"
 
 namespace armature::cosim {
 
-class FiberProcessor final : public Processor {
+class CoreProcessor final : public Processor {
  public:
-  FiberProcessor(host_memory::HostMemory& memory, const CpuSpec& spec);
+  CoreProcessor(std::unique_ptr<CoreProgram> program, const CpuSpec& spec);
 
   // Processor
   void run_ahead(RunAhead& simulation) override;
@@ -35,7 +35,7 @@ class FiberProcessor final : public Processor {
  private:
   void exchange_events(Cycles now);
 
-  Controller controller_;
+  std::unique_ptr<CoreProgram> program_;
   std::deque<Access> stray_;   // not finished
   std::array<Core, 2> cores_;  // last member: their mains use all of the above
 };

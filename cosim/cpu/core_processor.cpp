@@ -1,6 +1,7 @@
-#include "cosim/cpu/fiber_processor.hpp"
+#include "cosim/cpu/core_processor.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "controller/regs/soc_map.hpp"
 
@@ -19,31 +20,31 @@ constexpr std::array<Line, 3> kLines{{{regs::soc::kAxiTimerIrq, 0, Interrupts::k
 
 }  // namespace
 
-FiberProcessor::FiberProcessor(host_memory::HostMemory& memory, const CpuSpec& spec)
-    : controller_{memory},
-      cores_{{{0, spec, [this](RegisterBus& bus) { controller_.core0_main(bus); }},
-              {1, spec, [this](RegisterBus& bus) { controller_.core1_main(bus); }}}} {}
+CoreProcessor::CoreProcessor(std::unique_ptr<CoreProgram> program, const CpuSpec& spec)
+    : program_{std::move(program)},
+      cores_{{{0, spec, [this](RegisterBus& bus) { program_->main(0, bus); }},
+              {1, spec, [this](RegisterBus& bus) { program_->main(1, bus); }}}} {}
 
-void FiberProcessor::run_ahead(RunAhead& simulation) {
+void CoreProcessor::run_ahead(RunAhead& simulation) {
   cores_[0].run_ahead(simulation, cores_[1]);
 }
 
-void FiberProcessor::notify(Cycles now) {
+void CoreProcessor::notify(Cycles now) {
   cores_[1].set_event(now);
 }
 
-std::optional<Cycles> FiberProcessor::next_event() const {
+std::optional<Cycles> CoreProcessor::next_event() const {
   const std::optional<Cycles> first = cores_[0].wakes_at(), second = cores_[1].wakes_at();
   if (first && second) return std::min(*first, *second);
   return first ? first : second;
 }
 
-void FiberProcessor::advance(Cycles now) {
+void CoreProcessor::advance(Cycles now) {
   for (Core& core : cores_) core.run_if_due(now);
   exchange_events(now);
 }
 
-std::optional<Processor::Access> FiberProcessor::next_access() const {
+std::optional<Processor::Access> CoreProcessor::next_access() const {
   if (!stray_.empty()) return stray_.front();
   for (const Core& core : cores_) {
     if (core.bus_request()) return Access{.core = core.number(), .request = *core.bus_request()};
@@ -51,7 +52,7 @@ std::optional<Processor::Access> FiberProcessor::next_access() const {
   return std::nullopt;
 }
 
-void FiberProcessor::complete(const Access& access, const BusResponse& response, Cycles now) {
+void CoreProcessor::complete(const Access& access, const BusResponse& response, Cycles now) {
   if (access.stray) {
     stray_.pop_front();
   } else {
@@ -59,16 +60,16 @@ void FiberProcessor::complete(const Access& access, const BusResponse& response,
   }
 }
 
-void FiberProcessor::abort(const Access& access, Cycles now) {
+void CoreProcessor::abort(const Access& access, Cycles now) {
   if (access.stray) stray_.pop_front();
   cores_.at(static_cast<std::size_t>(access.core)).halt(now);
 }
 
-void FiberProcessor::write_astray(std::uint32_t addr, std::uint32_t data) {
+void CoreProcessor::write_astray(std::uint32_t addr, std::uint32_t data) {
   stray_.push_back({.core = 1, .request = {.write = true, .addr = addr, .data = data}, .stray = true});
 }
 
-void FiberProcessor::set_interrupts(std::uint8_t levels, Cycles now) {
+void CoreProcessor::set_interrupts(std::uint8_t levels, Cycles now) {
   std::array<Interrupts, 2> active{};
   for (const Line& line : kLines) {
     if (((levels >> line.bit) & 1) != 0) active[line.core] = active[line.core] | line.name;
@@ -78,7 +79,7 @@ void FiberProcessor::set_interrupts(std::uint8_t levels, Cycles now) {
   exchange_events(now);
 }
 
-void FiberProcessor::exchange_events(Cycles now) {
+void CoreProcessor::exchange_events(Cycles now) {
   for (bool sent = true; sent;) {
     sent = false;
     if (cores_[0].pop_event_sent()) cores_[1].set_event(now), sent = true;

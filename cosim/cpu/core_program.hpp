@@ -1,0 +1,16 @@
+// The program that the two cores of a CoreProcessor run.
+#pragma once
+
+#include "controller/hal/register_bus.hpp"
+
+namespace armature::cosim {
+
+class CoreProgram {
+ public:
+  virtual ~CoreProgram() = default;
+  // The main of core 0 or 1, on the stack of its fiber. When it returns, the core does nothing more. The fiber may be
+  // abandoned in any call of `bus`, so objects on the stack must own nothing.
+  virtual void main(int core, RegisterBus& bus) = 0;
+};
+
+}  // namespace armature::cosim
