@@ -38,6 +38,7 @@ CONTROLLER["language"] = {
 CONTROLLER["pendant"] = CONTROLLER["command"] | {"command", "language"}
 CONTROLLER["host_memory"] = CONTROLLER["pendant"] | {"pendant"}
 CONTROLLER["app"] = CONTROLLER["host_memory"] | {"host_memory"}
+CONTROLLER["board"] = CONTROLLER["app"] | {"app"}
 # Folders within a folder, with what they may include of it; of other folders, what the folder may.
 TRAJECTORY = {
     "profile": set(),
