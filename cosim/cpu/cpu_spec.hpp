@@ -2,13 +2,24 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 #include "controller/hal/register_bus.hpp"
 
 namespace armature::cosim {
 
+// What runs the controller. Both give the same results, byte for byte.
+enum class CpuKind : std::uint8_t {
+  kHost,  // the controller as compiled for the host
+  kA9,    // its cross-compiled program, in a simulator of ARM instructions
+};
+inline constexpr std::string_view kCpuHelp =
+    "What runs the controller. `host`: the controller as compiled for the host. `a9`: its firmware for the Cortex-A9, "
+    "instruction by instruction, which only the program `armature-iss` can. Results do not depend on it.";
+
 // Computing times of the simulated ARM cores, in clock cycles of the logic (20 ns; about 13 CPU cycles at 667 MHz).
 struct CpuSpec {
+  CpuKind processor = CpuKind::kHost;
   std::int64_t interrupt_entry_cycles = 50;        // 1 us
   std::int64_t tick_compute_cycles = 250;          // 5 us
   std::int64_t plan_compute_cycles = 2500;         // 50 us

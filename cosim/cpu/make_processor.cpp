@@ -1,12 +1,34 @@
 #include "cosim/cpu/make_processor.hpp"
 
+#include <memory>
+
 #include "cosim/cpu/core_processor.hpp"
 #include "cosim/cpu/host_program.hpp"
+#include "cosim/text/input_error.hpp"
 
 namespace armature::cosim {
+namespace {
+
+MakeCoreProgram a9_program = nullptr;
+
+}  // namespace
+
+void provide_a9(MakeCoreProgram make) {
+  a9_program = make;
+}
+
+void require_processor(const CpuSpec& spec) {
+  if (spec.processor == CpuKind::kHost || a9_program != nullptr) return;
+  throw InputError{"--cpu a9 or [cpu] processor = \"a9\"",
+                   "this program executes no ARM instructions; expected host, or the program armature-iss (tools/iss)"};
+}
 
 std::unique_ptr<Processor> make_processor(host_memory::HostMemory& memory, const CpuSpec& spec) {
-  return std::make_unique<CoreProcessor>(std::make_unique<HostProgram>(memory), spec);
+  if (spec.processor == CpuKind::kHost) {
+    return std::make_unique<CoreProcessor>(std::make_unique<HostProgram>(memory), spec);
+  }
+  require_processor(spec);
+  return std::make_unique<CoreProcessor>(a9_program(memory, spec), spec);
 }
 
 }  // namespace armature::cosim

@@ -95,7 +95,8 @@ COSIM = {
     "soc": {"logic", "fabric", "bus"},
     "model": {"time", "logic", "fabric", "bus", "soc"},
     "engine": {"logic", "fabric", "bus", "soc", "model"},
-    "cpu": {"time", "bus"},
+    "cpu": {"time", "text", "bus"},
+    "iss": {"cpu", "cli"},
     "plant": {"time", "logic", "robot"},
     "fault": {"time", "logic", "soc", "cpu", "plant"},
     "check": {"logic", "bus", "plant"},
@@ -134,7 +135,7 @@ COSIM = {
     "serve": {"text", "net", "logic", "soc"},
 }
 COSIM["rewind"] = COSIM["run"] | {"run", "logic", "snapshot"}
-COSIM["cli"] = COSIM.keys() - {"keydoc", "kernel", "bus", "cpu", "plant", "fault", "check", "model", "snapshot"}
+COSIM["cli"] = COSIM.keys() - {"keydoc", "kernel", "bus", "iss", "plant", "fault", "check", "model", "snapshot"}
 # The rooms of cosim/report: what is measured, the list of facts, what [expect] says about them, how they are written.
 REPORT = {
     "measure": set(),

@@ -21,6 +21,7 @@
 #include "cosim/cli/options/output_options.hpp"
 #include "cosim/cli/options/value_kinds.hpp"
 #include "cosim/cli/options/wave_options.hpp"
+#include "cosim/cli/options/word_option.hpp"
 #include "cosim/cli/run/check_progress.hpp"
 #include "cosim/cli/run/failure_text.hpp"
 #include "cosim/cli/run/folder_run.hpp"
@@ -30,6 +31,7 @@
 #include "cosim/cli/run/scenario_run.hpp"
 #include "cosim/cli/run/temporary_folder.hpp"
 #include "cosim/cli/waves/moment_wave.hpp"
+#include "cosim/cpu/make_processor.hpp"
 #include "cosim/page/index_page.hpp"
 #include "cosim/report/format/fact_lines.hpp"
 #include "cosim/report/format/junit.hpp"
@@ -71,6 +73,7 @@ struct CheckOptions {
   std::optional<std::filesystem::path> junit;
   std::optional<std::filesystem::path> report_dir;
   std::vector<Engine> engines;  // with each of them; empty: with that of the scenario
+  std::optional<CpuKind> cpu;   // replaces that of each scenario
   WaveOptions wave;             // of failed scenarios: --wave-on and --before only
   OutputOptions output;
 };
@@ -143,15 +146,19 @@ std::optional<JunitCase> run_and_judge(const Scenario& scenario, const FailureFi
 }
 
 // The same with each engine, up to the first failure; without engines with that of the scenario.
-std::optional<JunitCase> check_scenario(const Scenario& scenario, const std::vector<Engine>& engines,
+std::optional<JunitCase> check_scenario(const Scenario& scenario, const CheckOptions& given,
                                         const FailureFiles& files) {
-  if (engines.empty()) return run_and_judge(scenario, files);
+  std::vector<std::string> options;
+  if (given.cpu) options = {"--cpu", std::string{word_of(*given.cpu)}};
+  if (given.engines.empty()) return run_and_judge(scenario, files, options);
+  options.insert(options.end(), {"--engine", std::string{}});
   Scenario chosen = scenario;
   std::optional<JunitCase> result;
   double wall_s = 0;
-  for (const Engine engine : engines) {
+  for (const Engine engine : given.engines) {
     chosen.engine = engine;
-    result = run_and_judge(chosen, files, {"--engine", std::string{word_of(engine)}});
+    options.back() = word_of(engine);
+    result = run_and_judge(chosen, files, options);
     if (!result) return std::nullopt;
     wall_s += std::exchange(result->wall_s, 0);
     result->wall_s = wall_s;
@@ -220,7 +227,8 @@ nlohmann::ordered_json verdicts_json(const std::vector<JunitCase>& finished, std
 std::vector<Scenario> load_scenarios(const CheckOptions& given, const SearchPath& path) {
   std::vector<Scenario> scenarios;
   for (const auto& file : scenarios_to_check(given.scenarios, path)) {
-    scenarios.push_back(load_scenario(file, {.search_path = path}));
+    scenarios.push_back(load_scenario(file, {.search_path = path, .processor = given.cpu}));
+    require_processor(scenarios.back().cpu);
   }
   return scenarios;
 }
@@ -254,7 +262,7 @@ std::vector<JunitCase> check_all(const CheckOptions& given, const std::vector<Sc
         const std::scoped_lock lock{printing};
         progress.begin(scenarios[i].name);
       }
-      results[i] = check_scenario(scenarios[i], given.engines, {.kept = kept[i], .report = reports[i], .wave = wave});
+      results[i] = check_scenario(scenarios[i], given, {.kept = kept[i], .report = reports[i], .wave = wave});
       if (!results[i]) return;
       const std::scoped_lock lock{printing};
       progress.clear();
@@ -318,6 +326,7 @@ CommandAction declare_check(CLI::App& app) {
                  "Write index.html to this folder, and the report of each failed scenario")
       ->type_name(kFolderValue);
   add_engines_option(app, options->engines);
+  add_word_option(app, "--cpu", options->cpu, without_markdown(kCpuHelp));
   add_moment_options(app, options->wave);
   add_quiet_option(app, options->output);
   add_json_option(app, options->output);

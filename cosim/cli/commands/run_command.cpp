@@ -16,10 +16,12 @@
 #include "cosim/cli/options/serial_option.hpp"
 #include "cosim/cli/options/value_kinds.hpp"
 #include "cosim/cli/options/wave_options.hpp"
+#include "cosim/cli/options/word_option.hpp"
 #include "cosim/cli/run/failure_text.hpp"
 #include "cosim/cli/run/folder_run.hpp"
 #include "cosim/cli/run/interrupt.hpp"
 #include "cosim/cli/run/report_file.hpp"
+#include "cosim/cpu/make_processor.hpp"
 #include "cosim/golden/golden.hpp"
 #include "cosim/report/format/json/summary_json.hpp"
 #include "cosim/report/format/moment_wave_text.hpp"
@@ -72,6 +74,7 @@ struct RunOptions {
   bool report = false;
   std::vector<std::string> set;  // key=value
   LogicChoice logic;
+  std::optional<CpuKind> cpu;
   std::optional<std::string> serial;  // pty, pty:LINK, tcp:PORT, replay:FILE
   std::optional<double> pace;
   OutputOptions output;
@@ -106,6 +109,7 @@ std::vector<std::string> repeated_options(const RunOptions& given) {
   for (const std::string& assignment : given.set) words.insert(words.end(), {"--set", assignment});
   if (given.logic.variant) words.insert(words.end(), {"--variant", std::string{word_of(*given.logic.variant)}});
   if (given.logic.engine) words.insert(words.end(), {"--engine", std::string{word_of(*given.logic.engine)}});
+  if (given.cpu) words.insert(words.end(), {"--cpu", std::string{word_of(*given.cpu)}});
   if (given.out) words.insert(words.end(), {"--out", given.out->string()});
   return words;
 }
@@ -116,8 +120,9 @@ int exit_code(const RunSummary& summary) {
 }
 
 int run(const RunOptions& given, const SearchPath& path) {
-  Scenario scenario =
-      load_scenario(given.scenario, {.search_path = path, .overrides = given.set, .logic = given.logic});
+  Scenario scenario = load_scenario(
+      given.scenario, {.search_path = path, .overrides = given.set, .logic = given.logic, .processor = given.cpu});
+  require_processor(scenario.cpu);
   const fs::path out = given.out.value_or(default_folder(scenario));
   OutputFiles files;
   files.reads(scenario);
@@ -174,6 +179,7 @@ CommandAction declare_run(CLI::App& app) {
                  "Override a key of the scenario: --set controller.feedback=false. May be repeated")
       ->allow_extra_args(false);  // one value for each --set: the next word may be the scenario
   add_logic_options(app, options->logic);
+  add_word_option(app, "--cpu", options->cpu, without_markdown(kCpuHelp));
   app.add_option("--serial", options->serial,
                  "Far end of the serial line: pty[:LINK], tcp:PORT (0: any free one), or replay:FILE with the "
                  "serial.csv of a run with another --out");

@@ -3,23 +3,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <string>
 #include <vector>
 
 #include "controller/base/words.hpp"
+#include "cosim/cli/options/word_option.hpp"
 
 namespace armature::cosim {
 namespace {
-
-template <class Enum>
-void add_choice(CLI::App& command, const std::string& option, std::optional<Enum>& chosen, const std::string& help) {
-  constexpr auto& kNames = kWordsOf<Enum>;
-  command
-      .add_option_function<std::string>(
-          option, [&chosen](const std::string& name) { chosen = enumerator_of<Enum>(name); }, help)
-      ->check(CLI::IsMember(std::vector<std::string>(kNames.begin(), kNames.end())));
-}
 
 void refuse_old_option(CLI::App& command) {
   const std::string old = "--" + std::string{kOldLogicKey};
@@ -36,17 +27,15 @@ void refuse_old_option(CLI::App& command) {
 }
 
 std::string engine_help() {
-  std::string help{kEngineHelp};
-  std::ranges::replace(help, '`', '\'');  // Markdown
-  return help;
+  return without_markdown(kEngineHelp);
 }
 
 }  // namespace
 
 void add_logic_options(CLI::App& command, LogicChoice& chosen) {
-  add_choice(command, "--variant", chosen.variant,
-             "Variant of the logic: 'counts', or 'paper' as Vo 2021 describes it (half periods, one decoder)");
-  add_choice(command, "--engine", chosen.engine, engine_help());
+  add_word_option(command, "--variant", chosen.variant,
+                  "Variant of the logic: 'counts', or 'paper' as Vo 2021 describes it (half periods, one decoder)");
+  add_word_option(command, "--engine", chosen.engine, engine_help());
   refuse_old_option(command);
 }
 

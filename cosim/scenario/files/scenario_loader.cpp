@@ -120,6 +120,7 @@ Scenario load_scenario(const fs::path& where, const LoadOptions& options) {
   std::vector<Problem> robot_problems;
   const ScenarioRobot robot = load_named_robot(scenario, options, root, robot_problems);
   read_scenario_tables(root, robot, options.logic, scenario);
+  scenario.cpu.processor = options.processor.value_or(scenario.cpu.processor);
   std::vector<Problem> program_problems;
   if (problems.size() == 0 && robot_problems.empty()) load_program(scenario, root, program_problems);
 

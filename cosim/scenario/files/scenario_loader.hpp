@@ -2,9 +2,11 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "cosim/cpu/cpu_spec.hpp"
 #include "cosim/scenario/files/search_path.hpp"
 #include "cosim/scenario/scenario.hpp"
 #include "cosim/text/input_error.hpp"
@@ -15,6 +17,7 @@ struct LoadOptions {
   SearchPath search_path{};              // for bare names of scenarios, and robots that are not beside the scenario
   std::vector<std::string> overrides{};  // `--set`, see override.hpp, applied in order before the checks
   LogicChoice logic{};
+  std::optional<CpuKind> processor{};  // replaces `cpu.processor`
 };
 
 // `where` is a scenario folder, a .toml file, or a bare name on the search path. The robot is looked up in `robots/`

@@ -70,6 +70,7 @@ const KeyTable<CpuSpec>& cpu_keys() {
           "Computing times of the simulated ARM cores, in clock cycles of the logic. One cycle is 20 ns, which is "
           "about 13 CPU cycles at 667 MHz.",
       .keys = {
+          named_key("processor", &CpuSpec::processor, kCpuHelp),
           key("interrupt_entry_cycles", &CpuSpec::interrupt_entry_cycles, between(0, kMaxCycles, "cycles"),
               "Interrupt latency: time from the interrupt to the first instruction of its handler."),
           key("tick_compute_cycles", &CpuSpec::tick_compute_cycles, between(0, kMaxCycles, "cycles"),

@@ -145,11 +145,11 @@ class Check(Program):
         # The golden would be that of the whole run.
         (late / "scenario.toml").write_text((late / "scenario.toml").read_text().partition("[golden]")[0])
         (late / "golden.csv").unlink()
-        options = ("--set", "expect.underruns=0", "--engine", "rtl", "--out", "my out")
+        options = ("--set", "expect.underruns=0", "--engine", "rtl", "--cpu", "host", "--out", "my out")
         done = self.armature("run", late, *options, code=1)
         command = re.search(r"(?m)^to see it      armature (.*)$", done.stdout).group(1)
         self.assertIn(
-            "--set expect.underruns=0 --engine rtl --out 'my out' --report --vcd 'my out/failure.vcd' --from 0.",
+            "--set expect.underruns=0 --engine rtl --cpu host --out 'my out' --report --vcd 'my out/failure.vcd' --from 0.",
             command,
         )
         shown = subprocess.run(f"{self.path} {command}", shell=True, cwd=self.folder, text=True, capture_output=True)

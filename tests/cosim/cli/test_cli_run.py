@@ -8,7 +8,7 @@ import pathlib
 import re
 import time
 
-from cli_program import BRIEF, SCENARIOS, TINY, Program, main
+from cli_program import BRIEF, MOMENT, SCENARIOS, TINY, Program, main
 
 EVERY_TICK = ("--set", "trace.every_ticks=1")
 
@@ -111,6 +111,20 @@ unfinished_moves = 1
         self.armature("run", TINY, *BRIEF, "--out", "paced", "--pace", "0.05")
         self.assertGreaterEqual(time.monotonic() - start, float(self.rows("paced/trace.csv")[-1]["time_s"]) / 0.05)
         self.assertEqual((fast / "trace.csv").read_bytes(), (self.folder / "paced/trace.csv").read_bytes())
+
+    def test_a_processor_that_the_program_has_not_is_refused(self):
+        for words in (
+            ("run", TINY, "--cpu", "a9"),
+            ("check", TINY, "--cpu", "a9"),
+            ("run", TINY, "--set", 'cpu.processor="a9"'),
+        ):
+            told = self.armature(*words, code=2).stderr
+            self.assertIn("--cpu a9 or [cpu] processor", told)
+            self.assertIn("armature-iss (tools/iss)", told)
+            self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_the_option_of_the_processor_replaces_the_key(self):
+        self.armature("run", TINY, *MOMENT, "--set", 'cpu.processor="a9"', "--cpu", "host")
 
     def test_a_pace_of_0_is_refused(self):
         self.assertIn("--pace", self.armature("run", TINY, "--pace", "0", code=2).stderr)

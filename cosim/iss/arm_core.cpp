@@ -1,0 +1,98 @@
+#include "cosim/iss/arm_core.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "controller/board/mpcore.hpp"
+
+namespace armature::cosim::iss {
+namespace {
+
+// M_AXI_GP0, as far as the logic has blocks.
+constexpr std::uint32_t kLogicBase = 0x4000'0000;
+constexpr std::uint32_t kLogicSize = 0x0400'0000;
+
+constexpr std::uint64_t kNowhere = 0xFFFF'FFFE;  // no instruction is there
+constexpr std::uint32_t kThumbState = 1u << 5;   // of CPSR
+
+ArmCore& core(void* self) {
+  return *static_cast<ArmCore*>(self);
+}
+
+}  // namespace
+
+ArmCore::ArmCore(int number, std::uint32_t charge) : number_{number} {
+  check(uc_open(UC_ARCH_ARM, UC_MODE_ARM, &engine_), "opens no engine");
+  check(uc_ctl_set_cpu_model(engine_, UC_CPU_ARM_CORTEX_A9), "has no Cortex-A9");
+  check(uc_mmio_map(engine_, kLogicBase, kLogicSize, read_logic, this, write_logic, this), "maps no logic");
+  check(uc_mmio_map(engine_, board::mpcore::kBase, board::mpcore::kSize, read_mpcore, this, write_mpcore, this),
+        "maps no MPCore");
+  uc_hook hook = 0;
+  void* const function = reinterpret_cast<void*>(&on_charge);  // NOLINT: Unicorn takes any function so
+  check(uc_hook_add(engine_, &hook, UC_HOOK_CODE, function, this, charge, charge), "adds no hook");
+}
+
+ArmCore::~ArmCore() {
+  if (engine_ != nullptr) uc_close(engine_);
+}
+
+void ArmCore::map(const MemoryPiece& memory) {
+  check(uc_mem_map_ptr(engine_, memory.address, memory.bytes, UC_PROT_ALL, memory.data), "maps no memory");
+}
+
+void ArmCore::prepare(std::uint32_t start, std::uint32_t until) {
+  check(uc_emu_start(engine_, start, until, 0, 0), "does not start");
+  if (pc() != until) throw std::runtime_error{fmt::format("core {} does not start: it waits at {:#x}", number_, pc())};
+}
+
+void ArmCore::run(std::uint32_t start, RegisterBus& bus) {
+  bus_ = &bus;
+  for (std::uint32_t next = start;; next = pc()) {
+    check(uc_emu_start(engine_, next, kNowhere, 0, 0), "fails");
+    const Interrupts lines = bus.wait_for_interrupt(mpcore_.enabled());
+    if (lines == Interrupts::kNone) return;
+    mpcore_.set_pending(lines);
+  }
+}
+
+std::uint32_t ArmCore::pc() const {
+  return read_register(UC_ARM_REG_PC) | ((read_register(UC_ARM_REG_CPSR) & kThumbState) != 0 ? 1u : 0u);
+}
+
+std::uint32_t ArmCore::read_register(int name) const {
+  std::uint32_t value = 0;
+  if (uc_reg_read(engine_, name, &value) != UC_ERR_OK) throw std::runtime_error{"Unicorn reads no register"};
+  return value;
+}
+
+void ArmCore::check(uc_err error, const char* what) const {
+  if (error == UC_ERR_OK) return;
+  const std::string at = engine_ == nullptr ? std::string{} : fmt::format(" at {:#x}", read_register(UC_ARM_REG_PC));
+  throw std::runtime_error{fmt::format("the simulator of ARM core {} {}{}: {}", number_, what, at, uc_strerror(error))};
+}
+
+std::uint64_t ArmCore::read_logic(uc_engine*, std::uint64_t offset, unsigned, void* self) {
+  return core(self).bus_->read32({kLogicBase + static_cast<std::uint32_t>(offset)});
+}
+
+void ArmCore::write_logic(uc_engine*, std::uint64_t offset, unsigned, std::uint64_t value, void* self) {
+  core(self).bus_->write32({kLogicBase + static_cast<std::uint32_t>(offset)}, static_cast<std::uint32_t>(value));
+}
+
+std::uint64_t ArmCore::read_mpcore(uc_engine*, std::uint64_t offset, unsigned, void* self) {
+  return core(self).mpcore_.read(static_cast<std::uint32_t>(offset), core(self).bus_);
+}
+
+void ArmCore::write_mpcore(uc_engine*, std::uint64_t offset, unsigned, std::uint64_t value, void* self) {
+  core(self).mpcore_.write(static_cast<std::uint32_t>(offset), static_cast<std::uint32_t>(value), core(self).bus_);
+}
+
+void ArmCore::on_charge(uc_engine*, std::uint64_t, std::uint32_t, void* self) {
+  const ArmCore& one = core(self);
+  if (one.bus_ == nullptr) return;
+  const auto work = static_cast<Work>(one.read_register(UC_ARM_REG_R0));
+  one.bus_->charge(work, one.read_register(UC_ARM_REG_R1));
+}
+
+}  // namespace armature::cosim::iss

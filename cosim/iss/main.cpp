@@ -1,0 +1,16 @@
+// armature-iss: armature with a simulator of ARM instructions, for --cpu a9.
+
+#include <memory>
+
+#include "cosim/cli/commands/cli.hpp"
+#include "cosim/cpu/make_processor.hpp"
+#include "cosim/iss/arm_program.hpp"
+#include "cosim/iss/firmware.hpp"
+
+int main(int argc, char** argv) {
+  using namespace armature;
+  cosim::provide_a9([](host_memory::HostMemory& memory, const cosim::CpuSpec&) -> std::unique_ptr<cosim::CoreProgram> {
+    return std::make_unique<cosim::iss::ArmProgram>(cosim::iss::firmware(), memory);
+  });
+  return cosim::cli_main(argc, argv);
+}

@@ -1,0 +1,111 @@
+#include "cosim/iss/arm_core.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "tests/cosim/iss/scripted_bus.hpp"
+
+namespace armature::cosim::iss {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Pair;
+
+constexpr std::uint32_t kCode = 0x0010'0000;
+constexpr std::uint32_t kCharge = kCode + 0x800;
+
+// A page with the instructions.
+class Program {
+ public:
+  explicit Program(const std::vector<std::uint32_t>& code) {
+    std::copy(code.begin(), code.end(), page_.begin());
+    page_[0x800 / 4] = 0xe12fff1e;  // armature_charge: bx lr
+  }
+  [[nodiscard]] MemoryPiece memory() { return {kCode, page_.data(), sizeof page_}; }
+  [[nodiscard]] std::uint32_t word(std::size_t i) const { return page_.at(i); }
+
+ private:
+  alignas(4096) std::array<std::uint32_t, 1024> page_{};
+};
+
+TEST(ArmCore, AccessesRegistersOfTheLogicByItsBusAndWaitsByWfi) {
+  Program program{{
+      0xe3a00443,  // mov  r0, #0x43000000
+      0xe5901004,  // ldr  r1, [r0, #4]
+      0xe5801008,  // str  r1, [r0, #8]
+      0xe320f003,  // wfi
+      0xe580100c,  // str  r1, [r0, #12]
+      0xe320f003,  // wfi
+  }};
+  ArmCore core{0, kCharge};
+  core.map(program.memory());
+  ScriptedBus bus;
+  bus.wakes_by = {Interrupts::kEvent};
+  core.run(kCode, bus);
+  EXPECT_THAT(bus.reads, ElementsAre(0x4300'0004u));
+  EXPECT_THAT(bus.writes, ElementsAre(Pair(0x4300'0008u, 0x4300'0005u), Pair(0x4300'000cu, 0x4300'0005u)));
+  EXPECT_THAT(bus.waits, ElementsAre(Interrupts::kEvent, Interrupts::kEvent));
+  EXPECT_EQ(core.pc(), kCode + 24);
+}
+
+TEST(ArmCore, ChargesTheWorkOfACall) {
+  Program program{{
+      0xe3a00002,  // mov r0, #2
+      0xe3a01007,  // mov r1, #7
+      0xeb0001fc,  // bl  kCharge
+      0xe320f003,  // wfi
+  }};
+  ArmCore core{1, kCharge};
+  core.map(program.memory());
+  ScriptedBus bus;
+  core.run(kCode, bus);
+  EXPECT_THAT(bus.charges, ElementsAre(Pair(Work::kPlan, 7)));
+}
+
+TEST(ArmCore, BothCoresSeeOneMemory) {
+  Program program{{
+      0xe59f1008,  // ldr r1, [pc, #8]
+      0xe2811001,  // add r1, r1, #1
+      0xe58f1000,  // str r1, [pc, #0]
+      0xe320f003,  // wfi
+      0x00000041,
+  }};
+  std::array<ArmCore, 2> cores{{{0, kCharge}, {1, kCharge}}};
+  for (ArmCore& core : cores) {
+    core.map(program.memory());
+    ScriptedBus bus;
+    core.run(kCode, bus);
+  }
+  EXPECT_EQ(program.word(4), 0x43u);
+}
+
+TEST(ArmCore, AnUndefinedInstructionEndsItWithItsPlace) {
+  Program program{{0xe1a00000, 0xe7f000f0}};  // nop; udf
+  ArmCore core{1, kCharge};
+  core.map(program.memory());
+  ScriptedBus bus;
+  try {
+    core.run(kCode, bus);
+    FAIL() << "the core went on";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("core 1"));
+    EXPECT_THAT(error.what(), HasSubstr("0x10000"));
+  }
+}
+
+TEST(ArmCore, APreparationThatWaitsIsRefused) {
+  Program program{{0xe320f003, 0xe1a00000}};  // wfi; nop
+  ArmCore core{0, kCharge};
+  core.map(program.memory());
+  EXPECT_THROW(core.prepare(kCode, kCode + 8), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace armature::cosim::iss
