@@ -16,7 +16,7 @@ from session import BUILD, ROOT, Outcome, Session, command, say
 TEST, SANITIZED, GCC = (ROOT / "build" / name for name in ("test", "dev", "gcc"))
 FEW = {"ARMATURE_FEW_DRAWS": "1"}
 SHORT_FUZZ = {"ARMATURE_FUZZ_SECONDS": "5"}
-EVERY_ENGINE = {"ARMATURE_SCENARIO_ENGINES": "lockstep model"}
+EVERY_ENGINE = {"ARMATURE_SCENARIO_ENGINES": "lockstep model", "ARMATURE_ALL_FIRMWARE": "1"}
 FEW_SCENARIOS = {"ARMATURE_RANDOM_SCENARIOS": "20"}
 MOST_NAMES = 6  # of gates in a message
 FOREIGN_INPUT = ["-L", "^foreign_input$"]
