@@ -1,5 +1,6 @@
 #include "cosim/iss/arm_core.hpp"
 
+#include <dlfcn.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "cosim/iss/firmware.hpp"
 #include "tests/cosim/iss/scripted_bus.hpp"
 
 namespace armature::cosim::iss {
@@ -99,6 +101,18 @@ TEST(ArmCore, AnUndefinedInstructionEndsItWithItsPlace) {
     EXPECT_THAT(error.what(), HasSubstr("0x10000"));
   }
 }
+
+#if UC_API_MAJOR == 2 && UC_API_MINOR == 0
+TEST(ArmCore, StoresCallTheFunctionsOfTheProgram) {
+  Dl_info here{}, found{};
+  ASSERT_NE(dladdr(firmware().data(), &here), 0);
+  for (const char* const name :
+       {"page_collection_lock_arm", "page_collection_unlock_arm", "tb_invalidate_phys_page_fast_arm"}) {
+    ASSERT_NE(dladdr(dlsym(RTLD_DEFAULT, name), &found), 0);
+    EXPECT_EQ(found.dli_fbase, here.dli_fbase) << name;
+  }
+}
+#endif
 
 TEST(ArmCore, APreparationThatWaitsIsRefused) {
   Program program{{0xe320f003, 0xe1a00000}};  // wfi; nop
