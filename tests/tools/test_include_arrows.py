@@ -47,8 +47,9 @@ TRAJECTORY = {
     "law": {"profile"},
     "joint": {"profile", "state", "path"},
     "cartesian": {"profile", "state", "path", "law", "joint"},
-    "grid": {"profile", "law", "cartesian"},
-    "plan": {"path", "joint", "cartesian", "grid"},
+    "check": {"path", "law", "cartesian"},
+    "grid": {"profile", "law", "cartesian", "check"},
+    "plan": {"path", "joint", "cartesian", "check", "grid"},
     "run": {"profile", "path", "law", "joint", "cartesian", "plan"},
 }
 # From the bytes of a frame to what the pendant may do with the arm.

@@ -21,7 +21,7 @@
 #include "controller/kinematics/arm.hpp"
 #include "controller/robot/robot_model.hpp"
 #include "controller/trajectory/cartesian/cartesian_plan.hpp"
-#include "controller/trajectory/cartesian/path_check.hpp"
+#include "controller/trajectory/check/path_check.hpp"
 #include "controller/trajectory/grid/law_grid.hpp"
 #include "controller/trajectory/grid/smooth_law.hpp"
 #include "controller/trajectory/law/speed_law.hpp"

@@ -10,8 +10,8 @@
 #include "controller/base/timebase.hpp"
 #include "controller/kinematics/turns.hpp"
 #include "controller/robot/axis_units.hpp"
-#include "controller/trajectory/cartesian/path_check.hpp"
 #include "controller/trajectory/cartesian/path_corners.hpp"
+#include "controller/trajectory/check/path_check.hpp"
 #include "controller/trajectory/grid/tool_limits.hpp"
 
 namespace armature {

@@ -1,4 +1,4 @@
-#include "controller/trajectory/cartesian/path_pass.hpp"
+#include "controller/trajectory/check/path_pass.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "controller/trajectory/cartesian/path_check.hpp"
+#include "controller/trajectory/check/path_check.hpp"
 
 #include <algorithm>
 #include <cmath>

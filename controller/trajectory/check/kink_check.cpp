@@ -1,4 +1,4 @@
-#include "controller/trajectory/cartesian/kink_check.hpp"
+#include "controller/trajectory/check/kink_check.hpp"
 
 #include <algorithm>
 #include <cmath>

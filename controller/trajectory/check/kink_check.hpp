@@ -17,7 +17,7 @@
 #include "controller/kinematics/arm.hpp"
 #include "controller/kinematics/ik_result.hpp"
 #include "controller/trajectory/cartesian/cartesian_plan.hpp"
-#include "controller/trajectory/cartesian/path_check.hpp"
+#include "controller/trajectory/check/path_check.hpp"
 
 namespace armature {
 

@@ -11,9 +11,9 @@
 #include "controller/kinematics/ik_result.hpp"
 #include "controller/robot/robot_model.hpp"
 #include "controller/trajectory/cartesian/cartesian_plan.hpp"
-#include "controller/trajectory/cartesian/joint_trail.hpp"
-#include "controller/trajectory/cartesian/kink_check.hpp"
-#include "controller/trajectory/cartesian/path_check.hpp"
+#include "controller/trajectory/check/joint_trail.hpp"
+#include "controller/trajectory/check/kink_check.hpp"
+#include "controller/trajectory/check/path_check.hpp"
 #include "controller/trajectory/path/path_problem.hpp"
 
 namespace armature {
