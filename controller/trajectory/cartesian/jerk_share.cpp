@@ -109,11 +109,10 @@ void clear_jerk_use(CartesianPlan& plan) noexcept {
   for (std::size_t i = plan.known; i < plan.count; ++i) plan.segments[i].jerk_use.fill(0);
 }
 
-void add_jerk_use(CartesianPlan& plan, std::int64_t tick, double share) noexcept {
+void add_jerk_use(CartesianPlan& plan, double from, double to, double share) noexcept {
   if (share == 0.0) return;
   const auto use = static_cast<std::uint8_t>(std::min(share * kUnitsOfUse + 1.0, 255.0));
-  const auto to = static_cast<double>(tick);
-  each_part(plan, to - 3.0, to, [&](CartesianSegment& segment, const Parts& parts) {
+  each_part(plan, from, to, [&](CartesianSegment& segment, const Parts& parts) {
     for (std::size_t i = parts.first; i <= parts.last; ++i) segment.jerk_use[i] = std::max(segment.jerk_use[i], use);
   });
 }

@@ -28,7 +28,7 @@ namespace armature {
 // Sets CartesianSegment::jerk_use to none. A segment that is already in the plan before keeps at least what it has
 // there.
 void clear_jerk_use(CartesianPlan& plan) noexcept;
-// Adds the third differences at the set-point `tick`, as a share of their limits: they are those of three ticks.
-void add_jerk_use(CartesianPlan& plan, std::int64_t tick, double share) noexcept;
+// Adds the largest jerk between two times in ticks, as a share of its limit.
+void add_jerk_use(CartesianPlan& plan, double from, double to, double share) noexcept;
 
 }  // namespace armature

@@ -1,9 +1,9 @@
-// The joints at some ticks of a plan, from which its set-points can be followed again without the ticks before.
+// The joints at some times of a plan, from which its set-points can be followed again without those before.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 
 #include "controller/kinematics/ik_result.hpp"
 
@@ -12,40 +12,45 @@ namespace armature {
 class JointTrail {
  public:
   struct Place {
-    std::int64_t tick = 0;
+    double ticks = 0.0;
     JointAngles joints{};
   };
 
   void begin(const JointAngles& start) noexcept {
     size_ = 1;
-    every_ = 8;
-    places_[0] = {0, start};
+    every_ = 8.0;
+    places_[0] = {0.0, start};
   }
-  // Call at every tick from 1 on. The places are up to (tick / 128) ticks apart.
-  void add(std::int64_t tick, const JointAngles& joints) noexcept {
-    if (tick % every_ != 0) return;
+  // In order of time. Those of ticks are left out where another one is close; a sample of the path is farther away, and
+  // the joints move little up to it.
+  void add_tick(double ticks, const JointAngles& joints) noexcept {
+    if (ticks >= places_[size_ - 1].ticks + every_) add_sample(ticks, joints);
+  }
+  void add_sample(double ticks, const JointAngles& joints) noexcept {
+    if (!(ticks > places_[size_ - 1].ticks)) return;
     if (size_ == kMax) thin_out();
-    if (tick % every_ == 0) places_[size_++] = {tick, joints};
+    places_[size_++] = {ticks, joints};
   }
-  // The last place at or before `tick` >= 0.
-  [[nodiscard]] const Place& before(std::int64_t tick) const noexcept {
-    const auto index = static_cast<std::size_t>(tick / every_);
-    return places_[index < size_ ? index : size_ - 1];
+  // The last place at or before a time >= 0.
+  [[nodiscard]] const Place& before(double ticks) const noexcept {
+    const auto first = places_.begin(), end = first + static_cast<std::ptrdiff_t>(size_);
+    const auto behind = std::upper_bound(first + 1, end, ticks, [](double t, const Place& p) { return t < p.ticks; });
+    return *(behind - 1);
   }
 
  private:
-  static constexpr std::size_t kMax = 256;
+  static constexpr std::size_t kMax = 1024;
 
   // Leaves every second place.
   void thin_out() noexcept {
     for (std::size_t i = 0; 2 * i < size_; ++i) places_[i] = places_[2 * i];
     size_ = (size_ + 1) / 2;
-    every_ *= 2;
+    every_ *= 2.0;
   }
 
   std::array<Place, kMax> places_{};
   std::size_t size_ = 0;
-  std::int64_t every_ = 8;
+  double every_ = 8.0;
 };
 
 }  // namespace armature

@@ -46,6 +46,10 @@ int KinkCheck::sample(const CartesianPlan& plan, std::int64_t tick, const JointA
   return inverses;
 }
 
+void KinkCheck::skip_to(std::int64_t tick) noexcept {
+  while (next_ < count_ && kinks_[next_] - kBefore < tick) ++next_;
+}
+
 int KinkCheck::sample_around(const CartesianPlan& plan, std::int64_t kink, const JointAngles& joints,
                              PathCheck& check) const {
   int inverses = 0;

@@ -37,6 +37,8 @@ class KinkCheck {
   static constexpr int kPoints = 29;
   static constexpr int kMax = 16 + 20 + 24 + 28 + kPoints;
   int sample(const CartesianPlan& plan, std::int64_t tick, const JointAngles& joints, PathCheck& check) noexcept;
+  // The next tick is the one behind this one. Leaves out the kinks around which a set-point up to it would be added.
+  void skip_to(std::int64_t tick) noexcept;
 
  private:
   static constexpr std::int64_t kBefore = 3;  // ticks; a jerk is measured over as many

@@ -58,12 +58,16 @@ PathCheck::PathCheck(const RobotModel& robot) noexcept : axis_count_{robot.axis_
 }
 
 void PathCheck::begin(const JointAngles& joints, const ToolSample& tool) noexcept {
-  tick_ = 0;
+  oldest_ = 0;
+  restart(0, joints, tool);
+}
+
+void PathCheck::restart(std::int64_t tick, const JointAngles& joints, const ToolSample& tool) noexcept {
+  tick_ = tick;
   joints_ = joints;
   difference_ = {};
   tool_.fill(tool);
   tool_between_.fill(tool);
-  oldest_ = 0;
   step_ = {};
   accel_ = {};
   before_.fill(joints);

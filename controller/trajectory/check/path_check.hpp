@@ -44,6 +44,8 @@ class PathCheck {
 
   // The arm rests at the start of a plan.
   void begin(const JointAngles& joints, const ToolSample& tool) noexcept;
+  // Goes on behind a later tick, at which the arm is here. The differences of the next three ticks mean nothing.
+  void restart(std::int64_t tick, const JointAngles& joints, const ToolSample& tool) noexcept;
   // The set-point one tick later. `through_wrist`: of FollowedTool.
   void add(const CartesianPlan& plan, const JointAngles& joints, const ToolSample& tool,
            bool through_wrist = false) noexcept;

@@ -1,5 +1,8 @@
-// One pass over all set-points of a plan, in order, at every tick. It checks that they can be reached inside the
-// joints' limits, and where the motion must be slower (path_check.hpp).
+// One pass over a plan, in order of time. It checks that its set-points can be reached inside the joints' limits, and
+// where the motion must be slower (path_check.hpp).
+//
+// Where bounds show that no set-point exceeds a limit (path_bounds.hpp), none is computed. Those of the other times are
+// computed and checked at every tick, with some before and after: a difference over ticks must be within one of both.
 //
 // After a set-point that cannot be reached, a pass continues to the end of the segment, to find how far the rest of the
 // segment exceeds the reach.
@@ -13,6 +16,7 @@
 #include "controller/trajectory/cartesian/cartesian_plan.hpp"
 #include "controller/trajectory/check/joint_trail.hpp"
 #include "controller/trajectory/check/kink_check.hpp"
+#include "controller/trajectory/check/path_bounds.hpp"
 #include "controller/trajectory/check/path_check.hpp"
 #include "controller/trajectory/path/path_problem.hpp"
 
@@ -31,9 +35,10 @@ class PathPass {
 
   // Starts where `plan` starts, which takes at least one tick and must be the same for all step()s of a pass.
   void begin(const CartesianPlan& plan) noexcept;
-  // Processes the next set-point with one inverse kinematics. More are computed at a passage of the wrist singularity
-  // (FollowedTool::inverses), before a kink of a time law and at the first set-point (KinkCheck). Stores the
-  // orientation error residual_rad and jerk_use in the plan's segments.
+  // Processes the next set-point with one inverse kinematics, or takes a step of the bounds. More are computed at a
+  // passage of the wrist singularity (FollowedTool::inverses), before a kink of a time law and at the first set-point
+  // (KinkCheck), and after a time without set-points. Stores the orientation error residual_rad and jerk_use in the
+  // plan's segments.
   Progress step(CartesianPlan& plan) noexcept;
 
   // Inverse kinematics computed by the last step(), at most kMaxInverses.
@@ -43,8 +48,10 @@ class PathPass {
   // The last set-point; at the end of a pass with kDone it is the end of the plan.
   [[nodiscard]] const JointAngles& joints() const noexcept { return joints_; }
 
-  // The joints at some set-points of the last pass.
-  [[nodiscard]] const JointTrail& trail() const noexcept { return trail_; }
+  // The set-point of the plan of the last pass, which was kDone, at a tick. Adds the number of inverse kinematics, at
+  // most kMaxInverses.
+  [[nodiscard]] JointAngles joints_at(const CartesianPlan& plan, std::int64_t tick,
+                                      std::int64_t& inverses) const noexcept;
 
   // The excess that the last step() found.
   [[nodiscard]] const PathCheck::Place& latest() const noexcept { return latest_; }
@@ -63,13 +70,28 @@ class PathPass {
   static constexpr std::int64_t kKnownTicks = 6;
   static_assert(kKnownTicks < CartesianPlan::kSharedTicks.value());
 
+  // Set-points before an unknown time, and behind it: a difference and its kink are over at most so many.
+  static constexpr std::int64_t kBefore = 8, kBehind = 4;
+  // Of kBefore: their differences are not known yet.
+  static constexpr std::int64_t kWithoutDifferences = 5;
+  // More set-points than these are left out at a time.
+  static constexpr std::int64_t kFewest = 8;
+
+  Progress check_set_point(CartesianPlan& plan) noexcept;
+  void step_bounds(CartesianPlan& plan) noexcept;
+  void check_between(const CartesianPlan& plan, double from, double to) noexcept;
   void record_failure(const CartesianPlan& plan, const IkTracking& tracking) noexcept;
 
   const Arm& arm_;
   PathCheck check_;
   KinkCheck kinks_;
+  PathBounds bounds_;
   JointTrail trail_;
-  std::int64_t tick_ = 0;
+  std::int64_t tick_ = 0;             // the last set-point that was checked
+  std::int64_t until_ = 0;            // those up to here must be
+  std::int64_t no_differences_ = -1;  // up to here
+  bool first_ = true;
+  bool unknown_ = false;  // the last time of the bounds was
   int inverses_ = 0;
   JointAngles joints_{};
   PathCheck::Place latest_{};

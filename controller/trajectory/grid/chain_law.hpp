@@ -28,8 +28,8 @@
 
 namespace armature {
 
-// The longest segment: 600 s. All its set-points, one every 50 us, are computed and checked before the first is
-// executed, so a longer segment would occupy core 1 for minutes.
+// The longest segment: 600 s. Where bounds do not show that its set-points keep the limits, these are computed one by
+// one before the first is executed. So a longer segment could occupy core 1 for minutes.
 inline constexpr Ticks kLongestSegment{std::int64_t{600} * kClkFreqHz / kTickCycles.value()};
 
 class ChainLaw {

@@ -1,7 +1,8 @@
-// Plans motions of the tool and checks them before the first pulse. It computes every set-point that the motion loop
-// will send, at every tick, and checks it against reach, joint limits, joint speed, acceleration and jerk, the limits
-// of the tool and the 4 Mpps of the pulse generators. Where something would be too fast, the motion is slowed down and
-// the path stays. Beyond `max_stretch` times the time of a segment the motion is refused.
+// Plans motions of the tool and checks them before the first pulse. It checks the set-points that the motion loop will
+// send against reach, joint limits, joint speed, acceleration and jerk, the limits of the tool and the 4 Mpps of the
+// pulse generators: by bounds for whole intervals of time, and one by one where these do not show enough. Where
+// something would be too fast, the motion is slowed down and the path stays. Beyond `max_stretch` times the time of a
+// segment the motion is refused.
 //
 // The steps, in this order, each in its own file:
 //   path_layout     from requests to segments, and the errors of the requests
@@ -9,7 +10,7 @@
 //   path_reach      points without a solution
 //   chain_law       the fastest law along the path, smoothed where jerk is limited
 //   bend_layout     passages of the wrist singularity on which the orientation may leave the path; the law begins again
-//   path_pass       every set-point
+//   path_pass       all set-points
 //   planned_outputs the times of the outputs on the path
 // One pass over all set-points finds where the motion must be slower, if anywhere. It is timed and passed again, until
 // a whole pass finds no excess. A plan with an excess after kMaxPasses is refused, so no unchecked plan is executed.
@@ -113,7 +114,6 @@ class CartesianPlanner {
  private:
   void begin_chain() noexcept;
   [[nodiscard]] std::size_t segments_over(double t_s) const noexcept;
-  [[nodiscard]] JointAngles joints_at(Ticks tick) noexcept;
   void move_origin(Ticks origin, double same_until_s) noexcept;
   void plan_law() noexcept;
   void end_law() noexcept;

@@ -89,7 +89,7 @@ bool CartesianPlanner::extend(Ticks earliest, double blend_mm, std::span<const S
   inverses_ = 0;
   first_work_ = {};
   const double deceleration = braking(law_.motion(plan_).table);
-  const JointAngles start = joints_at(origin);
+  const JointAngles start = pass_.joints_at(plan_, origin.value(), inverses_);
   const double from_s = seconds(origin) - seconds(CartesianPlan::kSharedTicks);
   // A smooth law has a constant speed before it brakes.
   const double before_braking = joint->passing.speed * law_.tau_s();
@@ -127,17 +127,6 @@ bool CartesianPlanner::extend(Ticks earliest, double blend_mm, std::span<const S
   planning_law_ = true;
   law_.extend(plan_, last, end_s);
   return true;
-}
-
-// The set-point of the present plan at a tick.
-JointAngles CartesianPlanner::joints_at(Ticks tick) noexcept {
-  JointTrail::Place place = pass_.trail().before(tick.value());
-  while (place.tick < tick.value()) {
-    ++place.tick;
-    ++inverses_;
-    place.joints = position(plan_, arm_, seconds(Ticks{place.tick}), place.joints);
-  }
-  return place.joints;
 }
 
 // The plan from tick `origin` on, as a plan that continues the present one.

@@ -50,7 +50,7 @@ TEST_F(CartesianInterruptions, AHoldIsHeardWhileTheNextMoveIsPlanned) {
   });
   rig.submit_at(kThere + 5'000, Resume{});
   rig.run(50'000);
-  EXPECT_GT(slices, 5);  // planning continues in a hold
+  EXPECT_GT(slices, 3);  // planning continues in a hold
   ASSERT_GT(held_at, 0);
   EXPECT_EQ(rig.row(held_at + 2).state, MotionState::kHolding);
   EXPECT_EQ(rig.moves_finished(), 3);

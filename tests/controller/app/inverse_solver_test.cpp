@@ -120,7 +120,7 @@ TEST_F(InverseSolverTest, EverySetPointOfAPathComesFromIt) {
     const JointAngles& reference = delegated.row(line.start_tick.value() + static_cast<std::int64_t>(i)).reference;
     ASSERT_EQ(reference, joints_of(core0.tracked[i])) << "tick " << i << " of the path";
   }
-  EXPECT_GE(core1.tracked.size(), solved);  // their check
+  EXPECT_GE(core1.tracked.size(), 100u);  // samples of the path for its law and its check
 }
 
 TEST_F(InverseSolverTest, SolvesWhateverTheControllerAsks) {
