@@ -2,7 +2,8 @@
 //
 //   first_plan       16 lines
 //   window           such a plan, continued by as many further lines as there is room for
-//   lines, polyline  16, 64 or 256 lines, planned in as few windows as possible, each as early as there is room for it
+//   lines, polyline  16 to 4096 lines in as few windows as possible, each begun just before the arm brakes, as
+//                    WindowStage does
 //
 // IRB 120, 100 mm/s, 2 m/s^2, 1000 m/s^3. A polyline is lines of equal length on a circle of 40 mm radius, blended
 // within a tenth of it, here 0.5 mm long. The lines are the sides of squares, 5 mm long and blended within 0.5 mm.
@@ -11,6 +12,7 @@
 // that the last plan takes to execute. usage: window_bench [--benchmark_...]
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -44,13 +46,14 @@ std::vector<SegmentRequest> circle(const Transform& from, double step_mm, std::s
   return lines;
 }
 
-// Each square is a little higher than the one before.
+// Each square is a little lower than the one before, and from 10 mm on a little higher.
 std::vector<SegmentRequest> squares(const Transform& from, std::size_t count, ProfileKind profile) {
-  constexpr double kSide_mm = 5.0, kHigher_mm = 0.05, kBlend_mm = 0.5;
+  constexpr double kSide_mm = 5.0, kLower_mm = 0.05, kDepth_mm = 10.0, kBlend_mm = 0.5;
   std::vector<SegmentRequest> lines;
   for (std::size_t i = 1; i <= count; ++i) {
     const double x_mm = i % 4 == 1 || i % 4 == 2 ? kSide_mm : 0.0, y_mm = i % 4 == 2 || i % 4 == 3 ? kSide_mm : 0.0;
-    const Transform target = test::moved(from, -x_mm, y_mm, kHigher_mm * static_cast<double>(i));
+    const double z_mm = std::fabs(std::fmod(kLower_mm * static_cast<double>(i), 2.0 * kDepth_mm) - kDepth_mm);
+    const Transform target = test::moved(from, -x_mm, y_mm, z_mm - kDepth_mm);
     lines.push_back(test::line_to(target, kLimits, kBlend_mm, profile));
   }
   return lines;
@@ -110,8 +113,8 @@ void chain(benchmark::State& state, bool short_ones, ProfileKind profile) {
     inverses = rig->planner.inverses();
     windows = 1;
     for (std::size_t planned = 16; planned < lines.size(); ++windows) {
-      Ticks soon{20};
-      while (rig->planner.room(soon) < std::min<std::size_t>(16, lines.size() - planned)) soon = soon + Ticks{100};
+      const double brakes_ticks = rig->planner.continue_before_s() / kTickSeconds;
+      const Ticks soon{std::max<std::int64_t>(20, static_cast<std::int64_t>(brakes_ticks) - 20)};
       const std::size_t room = std::min(rig->planner.room(soon), lines.size() - planned);
       if (!rig->planner.extend(soon, lines[planned - 1].blend_mm, std::span{lines}.subspan(planned, room))) {
         throw std::logic_error{"a window cannot continue"};
@@ -135,8 +138,8 @@ void add() {
     };
     named("first_plan", first_plan, profile)->Arg(100)->Arg(300)->Arg(500)->Arg(1'000);
     named("window", window, profile)->Arg(100)->Arg(300)->Arg(500)->Arg(1'000);
-    named("lines", chain, false, profile)->Arg(16)->Arg(64)->Arg(256);
-    named("polyline", chain, true, profile)->Arg(16)->Arg(64)->Arg(256);
+    named("lines", chain, false, profile)->Arg(16)->Arg(64)->Arg(256)->Arg(1'024)->Arg(4'096);
+    named("polyline", chain, true, profile)->Arg(16)->Arg(64)->Arg(256)->Arg(1'024)->Arg(4'096);
   }
 }
 
