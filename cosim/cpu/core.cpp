@@ -15,8 +15,8 @@ constexpr std::uint32_t bits(Interrupts lines) {
 // Whether all work of core 0 takes time. Work that takes none ends in the same cycle or in the next one: that depends
 // on what the simulation does in this cycle, which a core that is ahead does not know.
 bool takes_time(const CpuSpec& spec) {
-  return std::min({spec.interrupt_entry_cycles, spec.tick_compute_cycles, spec.retarget_compute_cycles,
-                   spec.inverse_compute_cycles}) > 0;
+  return spec.cpi || std::min({spec.interrupt_entry_cycles, spec.tick_compute_cycles, spec.retarget_compute_cycles,
+                               spec.inverse_compute_cycles}) > 0;
 }
 
 }  // namespace
@@ -209,7 +209,16 @@ bool Core::passes_alone(Cycles until) {
 }
 
 void Core::charge(Work work, std::int64_t times) noexcept {
-  const Cycles end = now_ + Cycles{cycles_of(spec_, work) * times};
+  const Cycles cost{cycles_of(spec_, work) * times};
+  if (spec_.cpi) return pass(cost);
+  compute_until(now_ + cost);
+}
+
+void Core::pass(Cycles duration) noexcept {
+  if (duration > Cycles{}) compute_until(now_ + duration);
+}
+
+void Core::compute_until(Cycles end) {
   if (now_ < end && passes_alone(end)) {
     is_ahead_ = true;
     now_ = end;

@@ -15,8 +15,8 @@
 #include <optional>
 #include <string>
 
-#include "controller/hal/register_bus.hpp"
 #include "cosim/bus/axi_lite_master.hpp"
+#include "cosim/cpu/core_bus.hpp"
 #include "cosim/cpu/cpu_spec.hpp"
 #include "cosim/cpu/fiber.hpp"
 #include "cosim/cpu/processor.hpp"
@@ -24,9 +24,9 @@
 
 namespace armature::cosim {
 
-class Core final : private RegisterBus {
+class Core final : private CoreBus {
  public:
-  using Main = std::function<void(RegisterBus&)>;
+  using Main = std::function<void(CoreBus&)>;
 
   Core(int number, const CpuSpec& spec, Main main);
   Core(const Core&) = delete;
@@ -76,6 +76,7 @@ class Core final : private RegisterBus {
   void send_event() noexcept override;
   Cycles now() noexcept override { return now_; }
   void charge(Work work, std::int64_t times) noexcept override;
+  void pass(Cycles duration) noexcept override;
 
   std::uint32_t access(const BusRequest& request);
   [[nodiscard]] Cycles horizon() const;
@@ -83,6 +84,7 @@ class Core final : private RegisterBus {
   [[nodiscard]] bool passes_alone(Cycles until);
   [[nodiscard]] Cycles quiet_until() const;
   void wait_for_simulation();
+  void compute_until(Cycles end);
   void sleep_until(Cycles cycle);
   [[nodiscard]] bool is_awake() const { return wait_ != Wait::kInterrupt && wait_ != Wait::kHalted; }
   [[nodiscard]] Interrupts active(Interrupts mask) const;
@@ -90,7 +92,7 @@ class Core final : private RegisterBus {
 
   int number_;
   CpuSpec spec_;
-  bool takes_time_;  // all work of core 0
+  bool takes_time_;  // all work of core 0 that suspends it
   Fiber fiber_;
   Wait wait_ = Wait::kTime;  // starts at cycle 0
   Cycles now_{};

@@ -22,8 +22,8 @@ constexpr std::array<Line, 3> kLines{{{regs::soc::kAxiTimerIrq, 0, Interrupts::k
 
 CoreProcessor::CoreProcessor(std::unique_ptr<CoreProgram> program, const CpuSpec& spec)
     : program_{std::move(program)},
-      cores_{{{0, spec, [this](RegisterBus& bus) { program_->main(0, bus); }},
-              {1, spec, [this](RegisterBus& bus) { program_->main(1, bus); }}}} {}
+      cores_{{{0, spec, [this](CoreBus& bus) { program_->main(0, bus); }},
+              {1, spec, [this](CoreBus& bus) { program_->main(1, bus); }}}} {}
 
 void CoreProcessor::run_ahead(RunAhead& simulation) {
   cores_[0].run_ahead(simulation, cores_[1]);

@@ -30,6 +30,7 @@ class CoreProcessor final : public Processor {
   void write_astray(std::uint32_t addr, std::uint32_t data) override;
   Cycles worst_tick(Cycles now) const override { return cores_[0].longest_awake(now); }
   void reset_worst_tick() override { cores_[0].reset_longest_awake(); }
+  std::int64_t instructions(int core) const override { return program_->instructions(core); }
   Cycles awake(int core, Cycles now) const override { return cores_.at(static_cast<std::size_t>(core)).awake(now); }
 
  private:

@@ -1,7 +1,9 @@
 // The program that the two cores of a CoreProcessor run.
 #pragma once
 
-#include "controller/hal/register_bus.hpp"
+#include <cstdint>
+
+#include "cosim/cpu/core_bus.hpp"
 
 namespace armature::cosim {
 
@@ -10,7 +12,9 @@ class CoreProgram {
   virtual ~CoreProgram() = default;
   // The main of core 0 or 1, on the stack of its fiber. When it returns, the core does nothing more. The fiber may be
   // abandoned in any call of `bus`, so objects on the stack must own nothing.
-  virtual void main(int core, RegisterBus& bus) = 0;
+  virtual void main(int core, CoreBus& bus) = 0;
+  // What a core has executed until its latest call of its bus; 0 of a program that does not count.
+  [[nodiscard]] virtual std::int64_t instructions(int /*core*/) const { return 0; }
 };
 
 }  // namespace armature::cosim

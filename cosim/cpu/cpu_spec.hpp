@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "controller/hal/register_bus.hpp"
@@ -20,6 +21,7 @@ inline constexpr std::string_view kCpuHelp =
 // Computing times of the simulated ARM cores, in clock cycles of the logic (20 ns; about 13 CPU cycles at 667 MHz).
 struct CpuSpec {
   CpuKind processor = CpuKind::kHost;
+  std::optional<double> cpi;                       // of kA9: clocks for each instruction; none: the costs below
   std::int64_t interrupt_entry_cycles = 50;        // 1 us
   std::int64_t tick_compute_cycles = 250;          // 5 us
   std::int64_t plan_compute_cycles = 2500;         // 50 us
@@ -27,6 +29,13 @@ struct CpuSpec {
   std::int64_t inverse_compute_cycles = 150;       // 3 us: inverse kinematics of one pose, the nearest branch only
   std::int64_t program_step_compute_cycles = 250;  // 5 us: a line of a program, or a part of it
 };
+
+// The costs of a core whose instructions are charged: none.
+[[nodiscard]] constexpr CpuSpec without_costs(CpuSpec spec) noexcept {
+  spec.interrupt_entry_cycles = spec.tick_compute_cycles = spec.plan_compute_cycles = spec.retarget_compute_cycles =
+      spec.inverse_compute_cycles = spec.program_step_compute_cycles = 0;
+  return spec;
+}
 
 // Of one piece of work.
 [[nodiscard]] constexpr std::int64_t cycles_of(const CpuSpec& spec, Work work) noexcept {

@@ -12,7 +12,7 @@ class HostProgram final : public CoreProgram {
   // `memory` must outlive the program.
   explicit HostProgram(host_memory::HostMemory& memory) : controller_{memory} {}
 
-  void main(int core, RegisterBus& bus) override {
+  void main(int core, CoreBus& bus) override {
     if (core == 0) {
       controller_.core0_main(bus);
     } else {

@@ -18,17 +18,20 @@ void provide_a9(MakeCoreProgram make) {
 }
 
 void require_processor(const CpuSpec& spec) {
+  if (spec.cpi && spec.processor == CpuKind::kHost) {
+    throw InputError{"[cpu] cpi", "expected it with --cpu a9 or [cpu] processor = \"a9\", which execute instructions"};
+  }
   if (spec.processor == CpuKind::kHost || a9_program != nullptr) return;
   throw InputError{"--cpu a9 or [cpu] processor = \"a9\"",
                    "this program executes no ARM instructions; expected host, or the program armature-iss (tools/iss)"};
 }
 
 std::unique_ptr<Processor> make_processor(host_memory::HostMemory& memory, const CpuSpec& spec) {
+  require_processor(spec);
   if (spec.processor == CpuKind::kHost) {
     return std::make_unique<CoreProcessor>(std::make_unique<HostProgram>(memory), spec);
   }
-  require_processor(spec);
-  return std::make_unique<CoreProcessor>(a9_program(memory, spec), spec);
+  return std::make_unique<CoreProcessor>(a9_program(memory, spec), spec.cpi ? without_costs(spec) : spec);
 }
 
 }  // namespace armature::cosim

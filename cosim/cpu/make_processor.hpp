@@ -20,7 +20,7 @@ namespace armature::cosim {
 // makes a processor.
 using MakeCoreProgram = std::unique_ptr<CoreProgram> (*)(host_memory::HostMemory& memory, const CpuSpec& spec);
 void provide_a9(MakeCoreProgram make);
-// Throws InputError for a processor that is not provided.
+// Throws InputError for a processor that is not provided, and for `cpi` without one that executes instructions.
 void require_processor(const CpuSpec& spec);
 
 }  // namespace armature::cosim

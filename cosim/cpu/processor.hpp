@@ -73,6 +73,9 @@ class Processor {
 
   // The time until `now` in which a core computed or waited for the bus.
   [[nodiscard]] virtual Cycles awake(int core, Cycles now) const = 0;
+
+  // The instructions that a core has executed; 0 of a processor that does not count them.
+  [[nodiscard]] virtual std::int64_t instructions(int core) const = 0;
 };
 
 }  // namespace armature::cosim

@@ -13,6 +13,7 @@ namespace {
 constexpr std::uint32_t kLogicBase = 0x4000'0000;
 constexpr std::uint32_t kLogicSize = 0x0400'0000;
 
+constexpr std::uint32_t kLastAddress = 0xFFFF'FFFF;
 constexpr std::uint64_t kNowhere = 0xFFFF'FFFE;  // no instruction is there
 constexpr std::uint32_t kThumbState = 1u << 5;   // of CPSR
 
@@ -22,15 +23,22 @@ ArmCore& core(void* self) {
 
 }  // namespace
 
-ArmCore::ArmCore(int number, std::uint32_t charge) : number_{number} {
+ArmCore::ArmCore(int number, std::uint32_t charge, std::optional<double> cpi) : number_{number} {
   check(uc_open(UC_ARCH_ARM, UC_MODE_ARM, &engine_), "opens no engine");
   check(uc_ctl_set_cpu_model(engine_, UC_CPU_ARM_CORTEX_A9), "has no Cortex-A9");
   check(uc_mmio_map(engine_, kLogicBase, kLogicSize, read_logic, this, write_logic, this), "maps no logic");
   check(uc_mmio_map(engine_, board::mpcore::kBase, board::mpcore::kSize, read_mpcore, this, write_mpcore, this),
         "maps no MPCore");
+  // Before the first translation, because the engine adds the calls when it translates. Counting is first.
+  if (cpi) add_hook(on_instruction, &time_.emplace(*cpi), 0, kLastAddress);
+  add_hook(on_charge, this, charge, charge);
+}
+
+void ArmCore::add_hook(void (*function)(uc_engine*, std::uint64_t, std::uint32_t, void*), void* data,
+                       std::uint32_t first, std::uint32_t last) {
   uc_hook hook = 0;
-  void* const function = reinterpret_cast<void*>(&on_charge);  // NOLINT: Unicorn takes any function so
-  check(uc_hook_add(engine_, &hook, UC_HOOK_CODE, function, this, charge, charge), "adds no hook");
+  void* const any = reinterpret_cast<void*>(function);  // NOLINT: Unicorn takes any function so
+  check(uc_hook_add(engine_, &hook, UC_HOOK_CODE, any, data, first, last), "adds no hook");
 }
 
 ArmCore::~ArmCore() {
@@ -46,10 +54,12 @@ void ArmCore::prepare(std::uint32_t start, std::uint32_t until) {
   if (pc() != until) throw std::runtime_error{fmt::format("core {} does not start: it waits at {:#x}", number_, pc())};
 }
 
-void ArmCore::run(std::uint32_t start, RegisterBus& bus) {
+void ArmCore::run(std::uint32_t start, CoreBus& bus) {
   bus_ = &bus;
+  if (time_) time_->reset();
   for (std::uint32_t next = start;; next = pc()) {
     check(uc_emu_start(engine_, next, kNowhere, 0, 0), "fails");
+    pass_time();
     const Interrupts lines = bus.wait_for_interrupt(mpcore_.enabled());
     if (lines == Interrupts::kNone) return;
     mpcore_.set_pending(lines);
@@ -72,25 +82,39 @@ void ArmCore::check(uc_err error, const char* what) const {
   throw std::runtime_error{fmt::format("the simulator of ARM core {} {}{}: {}", number_, what, at, uc_strerror(error))};
 }
 
+// What was executed takes its time before anything else happens.
+void ArmCore::pass_time() {
+  if (time_ && bus_ != nullptr) bus_->pass(time_->take());
+}
+
+void ArmCore::on_instruction(uc_engine*, std::uint64_t, std::uint32_t, void* time) {
+  static_cast<InstructionTime*>(time)->count();
+}
+
 std::uint64_t ArmCore::read_logic(uc_engine*, std::uint64_t offset, unsigned, void* self) {
+  core(self).pass_time();
   return core(self).bus_->read32({kLogicBase + static_cast<std::uint32_t>(offset)});
 }
 
 void ArmCore::write_logic(uc_engine*, std::uint64_t offset, unsigned, std::uint64_t value, void* self) {
+  core(self).pass_time();
   core(self).bus_->write32({kLogicBase + static_cast<std::uint32_t>(offset)}, static_cast<std::uint32_t>(value));
 }
 
 std::uint64_t ArmCore::read_mpcore(uc_engine*, std::uint64_t offset, unsigned, void* self) {
+  core(self).pass_time();
   return core(self).mpcore_.read(static_cast<std::uint32_t>(offset), core(self).bus_);
 }
 
 void ArmCore::write_mpcore(uc_engine*, std::uint64_t offset, unsigned, std::uint64_t value, void* self) {
+  core(self).pass_time();
   core(self).mpcore_.write(static_cast<std::uint32_t>(offset), static_cast<std::uint32_t>(value), core(self).bus_);
 }
 
 void ArmCore::on_charge(uc_engine*, std::uint64_t, std::uint32_t, void* self) {
-  const ArmCore& one = core(self);
+  ArmCore& one = core(self);
   if (one.bus_ == nullptr) return;
+  one.pass_time();
   const auto work = static_cast<Work>(one.read_register(UC_ARM_REG_R0));
   one.bus_->charge(work, one.read_register(UC_ARM_REG_R1));
 }

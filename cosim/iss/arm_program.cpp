@@ -31,11 +31,12 @@ ArmProgram::Pages ArmProgram::pages(std::size_t bytes) {
   return Pages{found, Unmap{bytes}};
 }
 
-ArmProgram::ArmProgram(std::span<const std::uint8_t> firmware, host_memory::HostMemory& memory)
+ArmProgram::ArmProgram(std::span<const std::uint8_t> firmware, host_memory::HostMemory& memory,
+                       std::optional<double> cpi)
     : image_{firmware},
       ddr_{pages(kDdrBytes)},
       on_chip_{pages(kOnChipBytes)},
-      cores_{{{0, image_.symbol("armature_charge")}, {1, image_.symbol("armature_charge")}}} {
+      cores_{{{0, image_.symbol("armature_charge"), cpi}, {1, image_.symbol("armature_charge"), cpi}}} {
   for (const ElfImage::Segment& segment : image_.segments()) {
     if (segment.address < kDdr || segment.address - kDdr + segment.bytes.size() > kDdrBytes) {
       throw std::runtime_error{"the ARM program does not fit into its memory"};
@@ -53,7 +54,7 @@ ArmProgram::ArmProgram(std::span<const std::uint8_t> firmware, host_memory::Host
   std::memcpy(&starts_[1], static_cast<std::uint8_t*>(on_chip_.get()) + (kCore1Start - kOnChip), sizeof starts_[1]);
 }
 
-void ArmProgram::main(int core, RegisterBus& bus) {
+void ArmProgram::main(int core, CoreBus& bus) {
   const auto i = static_cast<std::size_t>(core);
   cores_.at(i).run(starts_.at(i), bus);
 }

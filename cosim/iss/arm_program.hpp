@@ -5,11 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "controller/host_memory/memory.hpp"
 #include "cosim/cpu/core_program.hpp"
-#include "cosim/cpu/cpu_spec.hpp"
 #include "cosim/iss/arm_core.hpp"
 #include "cosim/iss/elf_image.hpp"
 
@@ -19,9 +19,14 @@ class ArmProgram final : public CoreProgram {
  public:
   // `firmware`: the bytes of controller.elf. `memory` is mapped where the firmware expects it, and must outlive the
   // program. The controller is constructed here, before simulated time begins. Throws std::runtime_error.
-  ArmProgram(std::span<const std::uint8_t> firmware, host_memory::HostMemory& memory);
+  // `cpi`: as of ArmCore.
+  ArmProgram(std::span<const std::uint8_t> firmware, host_memory::HostMemory& memory,
+             std::optional<double> cpi = std::nullopt);
 
-  void main(int core, RegisterBus& bus) override;
+  void main(int core, CoreBus& bus) override;
+  [[nodiscard]] std::int64_t instructions(int core) const override {
+    return cores_.at(static_cast<std::size_t>(core)).instructions();
+  }
 
  private:
   // Of whole pages, which the engines need.

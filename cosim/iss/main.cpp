@@ -9,8 +9,9 @@
 
 int main(int argc, char** argv) {
   using namespace armature;
-  cosim::provide_a9([](host_memory::HostMemory& memory, const cosim::CpuSpec&) -> std::unique_ptr<cosim::CoreProgram> {
-    return std::make_unique<cosim::iss::ArmProgram>(cosim::iss::firmware(), memory);
-  });
+  cosim::provide_a9(
+      [](host_memory::HostMemory& memory, const cosim::CpuSpec& spec) -> std::unique_ptr<cosim::CoreProgram> {
+        return std::make_unique<cosim::iss::ArmProgram>(cosim::iss::firmware(), memory, spec.cpi);
+      });
   return cosim::cli_main(argc, argv);
 }

@@ -350,7 +350,8 @@ void Simulation::on_trigger() {
   const std::array<CoreLoad, 2> load = load_until_now();
   for (std::size_t core = 0; core < load.size(); ++core) {
     row_.load[core] = {.awake_cycles = load[core].awake_cycles - load_before_[core].awake_cycles,
-                       .bus_cycles = load[core].bus_cycles - load_before_[core].bus_cycles};
+                       .bus_cycles = load[core].bus_cycles - load_before_[core].bus_cycles,
+                       .instructions = load[core].instructions - load_before_[core].instructions};
   }
   load_before_ = load;
   servo_was_on_ = servo_was_on_ || servo_on != 0;
@@ -364,6 +365,7 @@ std::array<CoreLoad, 2> Simulation::load_until_now() const {
   for (std::size_t core = 0; core < load.size(); ++core) {
     const bool on_bus = access_ && access_->core == static_cast<int>(core);
     load[core].awake_cycles = processor_->awake(static_cast<int>(core), now()).value();
+    load[core].instructions = processor_->instructions(static_cast<int>(core));
     load[core].bus_cycles = (bus_time_[core] + (on_bus ? now() - access_since_ : Cycles{})).value();
   }
   return load;

@@ -103,12 +103,13 @@ Blocks key_blocks(const TableInfo& file) {
 }
 
 Blocks fact_blocks() {
-  static constexpr std::array<std::pair<FactGroup, std::string_view>, 5> kTitles{{
+  static constexpr std::array<std::pair<FactGroup, std::string_view>, 6> kTitles{{
       {FactGroup::kResult, "facts of every run"},
       {FactGroup::kPaper, "facts of the variant paper"},
       {FactGroup::kSerial, "facts of the serial line"},
       {FactGroup::kOutputs, "facts of the outputs"},
       {FactGroup::kProgram, "facts of the program"},
+      {FactGroup::kInstructions, "facts of the instructions"},
   }};
   Blocks blocks;
   for (const auto& [group, title] : kTitles) {

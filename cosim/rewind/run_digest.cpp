@@ -20,6 +20,7 @@ void RunDigest::on_row(const TraceRow& row, const IntegerDigest&) {
   for (const CoreLoad& load : row.load) {
     append_bytes(bytes_, load.awake_cycles);
     append_bytes(bytes_, load.bus_cycles);
+    append_bytes(bytes_, load.instructions);
   }
   append_bytes(bytes_, row.stopped);
   end();

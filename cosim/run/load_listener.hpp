@@ -10,7 +10,8 @@ namespace armature::cosim {
 class LoadListener final : public RunListener {
  public:
   // Throws InputError when the file cannot be written, as does on_end().
-  explicit LoadListener(const TraceFile& load) : writer_{load.file, load.every_ticks} {}
+  explicit LoadListener(const TraceFile& load, CountsInstructions counts = CountsInstructions::kNo)
+      : writer_{load.file, load.every_ticks, counts} {}
 
   void on_row(const TraceRow& row, const IntegerDigest&) override { writer_.write(row); }
   void write_through() override { writer_.write_through(); }

@@ -22,6 +22,7 @@ struct ToolPoint {
 struct CoreLoad {
   std::int64_t awake_cycles = 0;  // computing or on the bus
   std::int64_t bus_cycles = 0;    // an access of this core was under way
+  std::int64_t instructions = 0;  // executed, if the processor counts them
 };
 
 struct TraceRow {

@@ -33,7 +33,8 @@ Listeners listeners_for(const Scenario& scenario, const ScenarioRunOptions& opti
   // The first one, so that its lines are complete when another file cannot be written.
   if (options.log) all.push_back(std::make_unique<LogListener>(scenario, *options.log));
   for (const TraceFile& trace : options.traces) all.push_back(std::make_unique<TraceListener>(scenario, trace));
-  if (options.load) all.push_back(std::make_unique<LoadListener>(*options.load));
+  const auto counts = scenario.cpu.cpi ? CountsInstructions::kYes : CountsInstructions::kNo;
+  if (options.load) all.push_back(std::make_unique<LoadListener>(*options.load, counts));
   if (options.compare_golden) {
     auto golden = std::make_unique<GoldenListener>(scenario, *options.compare_golden);
     listeners.golden = golden.get();

@@ -17,12 +17,13 @@ namespace armature::cosim {
 
 // Where summary.json has a fact, and of which runs.
 enum class FactGroup {
-  kResult,   // under `result`: of every run
-  kPaper,    // under `result.paper`: of the variant of the paper
-  kSerial,   // under `result`: if the controller sent something on its serial line
-  kOutputs,  // under `result`: if an output of the tool has changed
-  kProgram,  // under `result`: if the scenario has a program
-  kEvents,   // not by itself: summary.json has the moves, refused moves and faults in more detail
+  kResult,        // under `result`: of every run
+  kPaper,         // under `result.paper`: of the variant of the paper
+  kSerial,        // under `result`: if the controller sent something on its serial line
+  kOutputs,       // under `result`: if an output of the tool has changed
+  kProgram,       // under `result`: if the scenario has a program
+  kInstructions,  // under `result`: if the instructions of the cores are charged
+  kEvents,        // not by itself: summary.json has the moves, refused moves and faults in more detail
 };
 
 // How a value is compared with the expected one.

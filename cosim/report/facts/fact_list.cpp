@@ -27,6 +27,11 @@ PerAxis<std::optional<RunPlace>> places_of(const RunFacts& facts) {
   return facts.*kMember;
 }
 
+template <MotionState kState>
+FactValue most_instructions_in(const RunFacts& facts) {
+  return facts.most_instructions.at(static_cast<std::size_t>(kState));
+}
+
 // Formatted by hand, because the formatter would put each field on its own line.
 // clang-format off
 std::vector<Fact> make_list() {
@@ -282,6 +287,21 @@ std::vector<Fact> make_list() {
     {.name = "final_outputs", .unit = "", .meaning = "Outputs of the tool that are high at the end",
      .value = measured<&F::high_outputs>, .group = FactGroup::kOutputs,
      .expectations = {equal<&E::final_outputs>("final_outputs")}},
+
+    // ---- instructions
+    {.name = "max_tick_instructions", .unit = "", .meaning = "Most instructions of core 0 in one tick",
+     .value = [](const F& facts) -> FactValue { return std::ranges::max(facts.most_instructions); },
+     .group = FactGroup::kInstructions, .screen = {"instructions a tick"}, .where = place_of<&F::most_instructions_at>},
+    {.name = "max_idle_tick_instructions", .unit = "", .meaning = "The same in the state `idle`",
+     .value = most_instructions_in<MotionState::kIdle>, .group = FactGroup::kInstructions},
+    {.name = "max_moving_tick_instructions", .unit = "", .meaning = "The same in the state `moving`",
+     .value = most_instructions_in<MotionState::kMoving>, .group = FactGroup::kInstructions},
+    {.name = "max_stopping_tick_instructions", .unit = "", .meaning = "The same in the state `stopping`",
+     .value = most_instructions_in<MotionState::kStopping>, .group = FactGroup::kInstructions},
+    {.name = "max_holding_tick_instructions", .unit = "", .meaning = "The same in the state `holding`",
+     .value = most_instructions_in<MotionState::kHolding>, .group = FactGroup::kInstructions},
+    {.name = "max_fault_tick_instructions", .unit = "", .meaning = "The same in the state `fault`",
+     .value = most_instructions_in<MotionState::kFault>, .group = FactGroup::kInstructions},
   };
 }
 // clang-format on

@@ -13,6 +13,8 @@ bool RunSummary::has(FactGroup group) const {
       return !facts.serial_sent.empty() || facts.serial_errors > 0;
     case FactGroup::kOutputs:
       return !facts.outputs.empty();
+    case FactGroup::kInstructions:
+      return facts.counts_instructions();
     case FactGroup::kProgram:
       return facts.names.has_program();
     case FactGroup::kResult:

@@ -1,6 +1,7 @@
 // The measurements of a run, collected tick by tick without storing the trace.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -71,6 +72,10 @@ struct RunFacts {
   std::int64_t peak_pulses_per_tick = 0;        // on the pins, any axis
   std::int64_t max_correction_pulses = 0;       // |feedback correction|, any axis
   std::int64_t underruns = 0;
+  // Of core 0 in one tick, by MotionState; all 0: the processor does not count them. The place: of the largest of all.
+  std::array<std::int64_t, kWordsOf<MotionState>.size()> most_instructions{};
+  std::optional<RunPlace> most_instructions_at;
+  [[nodiscard]] bool counts_instructions() const { return most_instructions_at.has_value(); }
   // The row in which each of these values was reached first; none: it never was above 0.
   PerAxis<std::optional<RunPlace>> peak_speed_at{}, overshoot_at{}, worst_following_error_at{};
   std::optional<RunPlace> peak_pulses_at, max_correction_at, max_residual_at;
@@ -191,6 +196,7 @@ class RunFactsCollector {
     std::size_t outside = 0;  // number of the last axis outside the settling band; 0: none
   };
   RowNews add_axes(const TraceRow& row);
+  void add_instructions(const TraceRow& row);
   void add_step(const TraceRow& row, std::size_t i, double step_rad, bool faulty);
   [[nodiscard]] bool is_outside(const Telemetry& telemetry, std::size_t i) const;         // the settling band
   [[nodiscard]] double exact_reference(const Telemetry& telemetry, std::size_t i) const;  // [counts]

@@ -1,4 +1,5 @@
 // What the rows of a run add to its facts.
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -43,6 +44,7 @@ void RunFactsCollector::add(const TraceRow& row) {
     facts_.first_underrun_at = here;
   }
   facts_.underruns = row.telemetry.underruns;
+  if (row.tick > 0) add_instructions(row);  // the first one ends the start-up
   facts_.last_trigger_at = here;
   if (!facts_.first_trigger_at) facts_.first_trigger_at = here;
   ++facts_.ticks;
@@ -52,6 +54,15 @@ void RunFactsCollector::add(const TraceRow& row) {
   tool_before_.reset();
   if (last_.tool_point) tool_before_ = last_.tool_point->reference_mm;
   last_ = row;
+}
+
+void RunFactsCollector::add_instructions(const TraceRow& row) {
+  const std::int64_t instructions = row.load[0].instructions;
+  std::int64_t& most = facts_.most_instructions.at(static_cast<std::size_t>(row.telemetry.state));
+  if (instructions > std::ranges::max(facts_.most_instructions)) {
+    facts_.most_instructions_at = {.tick = row.tick, .at = Cycles{row.cycle}};
+  }
+  most = std::max(most, instructions);
 }
 
 // The axes of a row. Most values of most rows change no fact, so places are made only where one changes.

@@ -71,6 +71,11 @@ const KeyTable<CpuSpec>& cpu_keys() {
           "about 13 CPU cycles at 667 MHz.",
       .keys = {
           named_key("processor", &CpuSpec::processor, kCpuHelp),
+          key("cpi", &CpuSpec::cpi, between(0.1, 100, "clocks"),
+              "Clocks of a Cortex-A9 for each instruction. With it the instructions take time, at 667 MHz, and the "
+              "costs "
+              "below do not count; the fault `slow_core` adds its time. Needs `processor = \"a9\"`. load.csv and "
+              "summary.json then have the instructions of a tick."),
           key("interrupt_entry_cycles", &CpuSpec::interrupt_entry_cycles, between(0, kMaxCycles, "cycles"),
               "Interrupt latency: time from the interrupt to the first instruction of its handler."),
           key("tick_compute_cycles", &CpuSpec::tick_compute_cycles, between(0, kMaxCycles, "cycles"),

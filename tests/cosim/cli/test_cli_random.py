@@ -15,6 +15,7 @@ from random_scenario import READY, Robot, draw
 SEED = int(os.environ.get("ARMATURE_RANDOM_SEED", "1"))
 COUNT = int(os.environ.get("ARMATURE_RANDOM_SCENARIOS", "200"))
 DRAWS_FOR_EVERY_KEY = 400
+NOT_DRAWN = {"cpu.cpi"}  # needs armature-iss
 # Of processor time, for at most 80 ms of simulated time: 0.1 to 0.5 s are usual.
 LIMIT_S = 20
 TICK_S = 50e-6
@@ -55,7 +56,7 @@ class RandomScenarios(Program):
         for number in range(DRAWS_FOR_EVERY_KEY):
             written |= draw(random.Random(SEED * 1_000_000 + number), robots).keys
         known = keys_of(json.loads((SCENARIOS / "scenario.schema.json").read_text()))
-        self.assertEqual(sorted(known - written), [], "keys that no scenario had")
+        self.assertEqual(sorted(known - written - NOT_DRAWN), [], "keys that no scenario had")
         self.assertEqual(sorted(written - known), [], "written, but unknown")
 
     def test_every_one_ends_soon_and_breaks_no_invariant(self):

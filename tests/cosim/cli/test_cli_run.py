@@ -123,6 +123,10 @@ unfinished_moves = 1
             self.assertIn("armature-iss (tools/iss)", told)
             self.assertEqual(list(self.folder.iterdir()), [])
 
+    def test_charged_instructions_need_a_processor_that_executes_them(self):
+        told = self.armature("run", TINY, "--set", "cpu.cpi=1.5", code=2).stderr
+        self.assertIn("[cpu] cpi: expected it with --cpu a9", told)
+
     def test_the_option_of_the_processor_replaces_the_key(self):
         self.armature("run", TINY, *MOMENT, "--set", 'cpu.processor="a9"', "--cpu", "host")
 

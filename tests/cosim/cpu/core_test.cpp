@@ -63,6 +63,26 @@ TEST(Core, ChargesEachKindOfWorkItsCost) {
   EXPECT_EQ(at, (std::vector<std::int64_t>{50, 300, 2800, 3550, 3630}));
 }
 
+TEST(Core, ChargesOfInstructionsTheirTimeAndOfWorkWhatAFaultAdds) {
+  CpuSpec spec = without_costs(kSpec);
+  spec.cpi = 1.5;
+  std::vector<std::int64_t> at;
+  Core core{0, spec, [&](CoreBus& bus) {
+              for (const std::int64_t duration : {0, 7, 30}) {
+                bus.pass(Cycles{duration});
+                bus.charge(Work::kTick);
+                at.push_back(bus.now().value());
+              }
+            }};
+  core.run_if_due(Cycles{0});
+  EXPECT_EQ(at, (std::vector<std::int64_t>{0})) << "no time, no wait";
+  EXPECT_EQ(core.wakes_at(), Cycles{7});
+  core.run_if_due(Cycles{7});
+  core.set_tick_compute(500);
+  while (core.wakes_at()) core.run_if_due(*core.wakes_at());
+  EXPECT_EQ(at, (std::vector<std::int64_t>{0, 7, 537}));
+}
+
 TEST(Core, AnInterruptThatIsAlreadyActiveIsReportedAtOnce) {
   Interrupts seen = Interrupts::kNone;
   Core core{0, kSpec, [&](RegisterBus& bus) { seen = bus.wait_for_interrupt(Interrupts::kTimer); }};

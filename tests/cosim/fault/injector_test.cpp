@@ -37,6 +37,7 @@ class FaultyProcessor final : public Processor {
   void set_interrupts(std::uint8_t, Cycles) override { ADD_FAILURE(); }
   Cycles worst_tick(Cycles) const override { return {}; }
   void reset_worst_tick() override { ADD_FAILURE(); }
+  std::int64_t instructions(int) const override { return 0; }
   Cycles awake(int, Cycles) const override { return {}; }
   CoreState core_state(int) const override { return {}; }
 };

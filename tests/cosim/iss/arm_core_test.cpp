@@ -71,6 +71,36 @@ TEST(ArmCore, ChargesTheWorkOfACall) {
   EXPECT_THAT(bus.charges, ElementsAre(Pair(Work::kPlan, 7)));
 }
 
+// Ten clocks for each instruction: 0.75 cycles of the logic.
+TEST(ArmCore, LetsTheTimeOfItsInstructionsPassBeforeEachCallOfItsBus) {
+  Program program{{
+      0xe3a00443,  // mov  r0, #0x43000000
+      0xe1a00000,  // nop
+      0xe1a00000,  // nop
+      0xe5901004,  // ldr  r1, [r0, #4]
+      0xe3a00002,  // mov  r0, #2
+      0xeb0001f9,  // bl   kCharge
+      0xe320f003,  // wfi
+  }};
+  ArmCore core{0, kCharge, 10.0};
+  core.map(program.memory());
+  ScriptedBus bus;
+  core.run(kCode, bus);
+  EXPECT_THAT(bus.times, ElementsAre(3, 5, 6)) << "after 4, 7 and 8 instructions: 3, 5.25 and 6 cycles";
+  EXPECT_EQ(core.instructions(), 8);
+}
+
+TEST(ArmCore, ChargesNoInstructionsOfItsPreparation) {
+  Program program{{0xe1a00000, 0xe1a00000, 0xe320f003}};  // nop; nop; wfi
+  ArmCore core{0, kCharge, 100.0};
+  core.map(program.memory());
+  core.prepare(kCode, kCode + 8);
+  ScriptedBus bus;
+  core.run(kCode + 8, bus);
+  EXPECT_EQ(core.instructions(), 1);
+  EXPECT_THAT(bus.times, ElementsAre(7));
+}
+
 TEST(ArmCore, BothCoresSeeOneMemory) {
   Program program{{
       0xe59f1008,  // ldr r1, [pc, #8]

@@ -106,7 +106,7 @@ TEST(ResultsDocument, HasTheWordsOfEveryState) {
 }
 
 TEST(ResultsDocument, HasTheColumnsOfTheLoadOfTheCores) {
-  EXPECT_EQ(joined(documented("load.csv", "column")), kLoadHeader);
+  EXPECT_EQ(joined(documented("load.csv", "column")), std::string{kLoadHeader} + "," + kInstructionColumns);
 }
 
 TEST(ResultsDocument, HasTheColumnsOfTheSerialLog) {
@@ -152,6 +152,7 @@ RunSummary everything() {
   facts.names = CommandNames{scenario};
   facts.program_events.emplace_back();
   facts.serial_sent = "x";
+  facts.most_instructions_at = RunPlace{};
   facts.outputs = {{.pin = 1, .level = true, .at = Cycles{1}}};
   return summary;
 }

@@ -22,6 +22,25 @@ TEST_F(RunFactsTest, FinalAnglesComeFromTheEncoderWithItsGear) {
   EXPECT_EQ(facts.ticks, 3);
 }
 
+TEST_F(RunFactsTest, InstructionsAreThoseOfTheBusiestTickInEachState) {
+  const auto tick_of = [this](MotionState state, std::int64_t instructions) {
+    next.telemetry.state = state;
+    next.load[0].instructions = instructions;
+    next.load[1].instructions = 99'999;
+    tick(0, 0);
+  };
+  tick_of(MotionState::kIdle, 90'000);  // tick 0: the start-up
+  EXPECT_FALSE(collector.facts().counts_instructions());
+  tick_of(MotionState::kIdle, 3'000);
+  tick_of(MotionState::kMoving, 9'000);
+  tick_of(MotionState::kMoving, 8'000);
+  tick_of(MotionState::kIdle, 3'100);
+  const RunFacts facts = collector.facts();
+  EXPECT_THAT(facts.most_instructions, testing::ElementsAre(3'100, 9'000, 0, 0, 0));
+  ASSERT_TRUE(facts.most_instructions_at);
+  EXPECT_EQ(facts.most_instructions_at->tick, 2);
+}
+
 TEST_F(RunFactsTest, PeakSpeedIsTheLargestStepOfTheReference) {
   for (const std::int64_t reference : {0, 1, 4, 2, 3}) tick(reference, 0);
   EXPECT_NEAR(collector.facts().peak_speed_deg_s[0], 3 * 7.2e-4 * 20000, 1e-9);

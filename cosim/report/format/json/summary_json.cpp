@@ -50,6 +50,7 @@ Json result_json(const RunSummary& summary) {
   if (summary.has(FactGroup::kPaper)) add_facts(result["paper"], summary, FactGroup::kPaper);
   add_facts(result, summary, FactGroup::kSerial);
   add_facts(result, summary, FactGroup::kOutputs);
+  add_facts(result, summary, FactGroup::kInstructions);
   add_facts(result, summary, FactGroup::kProgram);
   if (summary.has(FactGroup::kProgram)) result["program"] = events_json(facts.program_events, facts.names);
   result["moves"] = Json::array();
