@@ -9,6 +9,8 @@ axi_timer/axi_timer_reg_pkg.sv
 axi_uart16550/axi_uart16550_reg_pkg.sv
 encoder/encoder_reg_pkg.sv
 encoder_switch/encoder_switch_reg_pkg.sv
+ik_cordic/ik_cordic_reg_pkg.sv
+ik_cordic/ik_pkg.sv
 pulse_train/pulse_train_reg_pkg.sv
 pulse_width/pulse_width_reg_pkg.sv
 
@@ -37,6 +39,13 @@ encoder/index_check.sv
 encoder/position_counters.sv
 encoder/quad_decoder.sv
 encoder_switch/encoder_switch_reg_top.sv
+ik_cordic/cordic_lane.sv
+ik_cordic/cordic_main.sv
+ik_cordic/ik_cordic_reg_top.sv
+ik_cordic/ik_multiplier.sv
+ik_cordic/ik_program.sv
+ik_cordic/ik_results.sv
+ik_cordic/ik_root.sv
 pulse_train/commit_bank.sv
 pulse_train/pulse_gen.sv
 pulse_train/pulse_train_reg_top.sv
@@ -50,6 +59,8 @@ axi_timer/timer_channel.sv
 axi_timer/timer_core.sv
 axi_uart16550/uart_core.sv
 encoder/encoder_core.sv
+ik_cordic/cordic.sv
+ik_cordic/ik_core.sv
 pulse_train/pulse_train_core.sv
 pulse_width/pulse_width_core.sv
 
@@ -59,6 +70,7 @@ axi_timer/axi_timer.sv
 axi_uart16550/axi_uart16550.sv
 encoder/encoder.sv
 encoder_switch/encoder_switch.sv
+ik_cordic/ik_cordic.sv
 pulse_train/pulse_train.sv
 pulse_width/pulse_width.sv
 

@@ -23,6 +23,7 @@ add_files [list $here/arm_soc_ip.v \
   $rtl/common/axi_uart16550_reg_types.svh \
   $rtl/common/encoder_reg_types.svh \
   $rtl/common/encoder_switch_reg_types.svh \
+  $rtl/common/ik_cordic_reg_types.svh \
   $rtl/common/pulse_train_reg_types.svh \
   $rtl/common/pulse_width_reg_types.svh \
   $rtl/common/reg_access_types.svh \
@@ -32,6 +33,8 @@ add_files [list $here/arm_soc_ip.v \
   $rtl/axi_uart16550/axi_uart16550_reg_pkg.sv \
   $rtl/encoder/encoder_reg_pkg.sv \
   $rtl/encoder_switch/encoder_switch_reg_pkg.sv \
+  $rtl/ik_cordic/ik_cordic_reg_pkg.sv \
+  $rtl/ik_cordic/ik_pkg.sv \
   $rtl/pulse_train/pulse_train_reg_pkg.sv \
   $rtl/pulse_width/pulse_width_reg_pkg.sv \
   $rtl/common/sync_2ff.sv \
@@ -58,6 +61,13 @@ add_files [list $here/arm_soc_ip.v \
   $rtl/encoder/position_counters.sv \
   $rtl/encoder/quad_decoder.sv \
   $rtl/encoder_switch/encoder_switch_reg_top.sv \
+  $rtl/ik_cordic/cordic_lane.sv \
+  $rtl/ik_cordic/cordic_main.sv \
+  $rtl/ik_cordic/ik_cordic_reg_top.sv \
+  $rtl/ik_cordic/ik_multiplier.sv \
+  $rtl/ik_cordic/ik_program.sv \
+  $rtl/ik_cordic/ik_results.sv \
+  $rtl/ik_cordic/ik_root.sv \
   $rtl/pulse_train/commit_bank.sv \
   $rtl/pulse_train/pulse_gen.sv \
   $rtl/pulse_train/pulse_train_reg_top.sv \
@@ -69,6 +79,8 @@ add_files [list $here/arm_soc_ip.v \
   $rtl/axi_timer/timer_core.sv \
   $rtl/axi_uart16550/uart_core.sv \
   $rtl/encoder/encoder_core.sv \
+  $rtl/ik_cordic/cordic.sv \
+  $rtl/ik_cordic/ik_core.sv \
   $rtl/pulse_train/pulse_train_core.sv \
   $rtl/pulse_width/pulse_width_core.sv \
   $rtl/axi_gpio/axi_gpio.sv \
@@ -76,6 +88,7 @@ add_files [list $here/arm_soc_ip.v \
   $rtl/axi_uart16550/axi_uart16550.sv \
   $rtl/encoder/encoder.sv \
   $rtl/encoder_switch/encoder_switch.sv \
+  $rtl/ik_cordic/ik_cordic.sv \
   $rtl/pulse_train/pulse_train.sv \
   $rtl/pulse_width/pulse_width.sv \
   $rtl/soc/arm_soc.sv]

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numbers>
 
 #include "controller/kinematics/fixed/fixed_point.hpp"
@@ -12,6 +13,21 @@
 namespace armature::test {
 
 namespace ik = cosim::model::ik;
+
+inline constexpr std::int32_t kOne = 1 << kEntryBits, kUnit = 1 << kLengthBits, kQuarterTurn = 1 << 30;
+
+// Links of 9 and 11 units. The hand points along x, its x axis downwards.
+inline ik::Job six_r_job() {
+  ik::Job job;
+  job.rotation = {0, 0, -kOne, 0, kOne, 0, kOne, 0, 0};
+  job.upper = 9 * kUnit;
+  job.fore = 11 * kUnit;
+  job.phi = kQuarterTurn;
+  job.previous1 = 1'000'000;
+  job.previous2 = 2'000'000;
+  job.previous4 = 4'000'000;
+  return job;
+}
 
 // A pulse of a motor with 10 000 pulses per revolution and a gear of 50:1.
 inline constexpr double kPulse_rad = 2.0 * std::numbers::pi / 500'000.0;

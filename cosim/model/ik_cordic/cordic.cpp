@@ -7,8 +7,8 @@ namespace {
 
 class Lane {
  public:
-  Lane(std::int64_t x, std::int64_t y, Widths& widths)
-      : x_{widths.keep(x, kLaneBits)}, y_{widths.keep(y, kLaneBits)}, widths_{widths} {}
+  Lane(std::int64_t x, std::int64_t y, int bits, Widths& widths)
+      : x_{widths.keep(x, bits)}, y_{widths.keep(y, bits)}, bits_{bits}, widths_{widths} {}
 
   void negate() { set(-x_, -y_); }
   void step(int i, bool clockwise) {
@@ -20,11 +20,12 @@ class Lane {
 
  private:
   void set(std::int64_t x, std::int64_t y) {
-    x_ = widths_.keep(x, kLaneBits);
-    y_ = widths_.keep(y, kLaneBits);
+    x_ = widths_.keep(x, bits_);
+    y_ = widths_.keep(y, bits_);
   }
 
   std::int64_t x_, y_;
+  int bits_;
   Widths& widths_;
 };
 
@@ -37,11 +38,11 @@ Lane normalised(const Vector& main, Widths& widths) {
       y <<= shift;
     }
   }
-  return {x >> kMainDropped, y >> kMainDropped, widths};
+  return {x, y, kWordBits, widths};
 }
 
 Lane with_guard_bits(const Vector& slave, Widths& widths) {
-  return {slave.x << kGuardBits, slave.y << kGuardBits, widths};
+  return {slave.x << kGuardBits, slave.y << kGuardBits, kLaneBits, widths};
 }
 
 std::int64_t without_guard_bits(std::int64_t value) {

@@ -8,11 +8,18 @@
 namespace armature::cosim::model::ik {
 namespace {
 
+// Clocks of a run, counted in rtl/ik_cordic/ik_program.sv: a part that each run has, and more for a shoulder whose
+// squared distance is computed, and for one that reaches.
+struct Clocks {
+  int each, beyond, reached;
+};
+constexpr Clocks kClocksOfSix{199, 17, 521}, kClocksOfFive{275, 17, 213};
+
 constexpr int kFarBits = 31;  // of a length below 64 units, with its sign: both links together are shorter
 
 class Solver {
  public:
-  explicit Solver(const Job& job) : job_{job} {}
+  explicit Solver(const Job& job) : job_{job}, clocks_{job.five_r ? kClocksOfFive : kClocksOfSix} {}
 
   Solved solve() {
     find_wrist_centre();
@@ -22,6 +29,8 @@ class Solver {
     solve_shoulder(0);
     turn_to_the_back();
     solve_shoulder(1);
+    flip_all();
+    solved_.clocks += clocks_.each;
     solved_.exceeded = widths_.exceeded();
     return solved_;
   }
@@ -68,7 +77,7 @@ class Solver {
       upward_[column] = times(entry(column, 2), kGain);
       across_[column] = word(-times(turned_[column].y, kGain));
     }
-    outward_offset_ = word(-job_.a1);
+    outward_offset_ = word(-std::int64_t{job_.a1});
   }
 
   void find_tool_of_five_r() {
@@ -107,12 +116,16 @@ class Solver {
     const std::int64_t distance2 = word(square(x, x) + square(y, y));
     const std::int64_t to_outer = word(farthest2_ - distance2), to_inner = word(distance2 - nearest2_);
     const std::int64_t inside = std::min(to_outer, to_inner);
-    if (inside < -kTolerance) return;
+    if (inside < -kTolerance) {
+      solved_.clocks += clocks_.beyond;
+      return;
+    }
+    solved_.clocks += clocks_.reached;
     const auto mark = [shoulder](std::uint8_t& flags, bool is) {
       flags = static_cast<std::uint8_t>(flags | (is ? 1 : 0) << shoulder);
     };
     mark(solved_.clamped, inside < 0);
-    mark(solved_.elbow_singular, inside <= kTolerance);
+    mark(solved_.elbow_singular, inside < kTolerance);
 
     const std::int64_t area =
         widths_.root_of_product(std::max<std::int64_t>(to_outer, 0), std::max<std::int64_t>(to_inner, 0));
@@ -136,9 +149,8 @@ class Solver {
 
   void solve_elbow(int posture) {
     const std::int64_t theta2 = angle(gamma_ + beta_), theta3 = angle(job_.phi - delta_);
-    const std::size_t branch = 2 * static_cast<std::size_t>(posture);
     if (job_.five_r) {
-      set(branch, {theta1_, theta2, theta3, angle(angle(pitch_ - theta2) - theta3), theta5_, 0});
+      set(posture, {theta1_, theta2, theta3, angle(angle(pitch_ - theta2) - theta3), theta5_, 0}, false);
       return;
     }
     // W = R03^T R: row 1 is x, row 3 is -y.
@@ -151,22 +163,34 @@ class Solver {
     const std::int64_t theta4 = vectoring(hand[kA], kZeroWrist, job_.previous4, hand, widths_, &singular);
     const std::int64_t theta5 = vectoring({w33, hand[kA].x}, kZeroExact, 0, {}, widths_);
     const std::int64_t theta6 = vectoring({hand[kO].y, hand[kN].y}, kZeroExact, 0, {}, widths_);
-    set(branch, {theta1_, theta2, theta3, theta4, theta5, theta6});
-    if (singular) {
-      solved_.wrist_singular = static_cast<std::uint8_t>(solved_.wrist_singular | 1 << posture);
-    } else {
-      set(branch + 1, {theta1_, theta2, theta3, angle(theta4 + kHalfTurn), angle(-theta5), angle(theta6 + kHalfTurn)});
-    }
+    set(posture, {theta1_, theta2, theta3, theta4, theta5, theta6}, !singular);
+    if (singular) solved_.wrist_singular = static_cast<std::uint8_t>(solved_.wrist_singular | 1 << posture);
   }
 
-  void set(std::size_t branch, const std::array<std::int64_t, kJoints>& theta) {
-    for (std::size_t joint = 0; joint < kJoints; ++joint) {
-      solved_.theta[branch][joint] = static_cast<std::int32_t>(theta[joint]);
+  // Joints 4 to 6 have two solutions. A branch for flip +, and with `both` one for flip -.
+  void set(int posture, const std::array<std::int64_t, kJoints>& theta, bool both) {
+    auto& plus = solved_.theta[2 * static_cast<std::size_t>(posture)];
+    for (std::size_t joint = 0; joint < kJoints; ++joint) plus[joint] = static_cast<std::int32_t>(theta[joint]);
+    solved_.valid = static_cast<std::uint8_t>(solved_.valid | (both ? 3 : 1) << 2 * posture);
+  }
+
+  void flip_all() {
+    const auto opposite = [](std::int32_t of, std::int64_t sign, std::int64_t turn) {
+      return static_cast<std::int32_t>(angle(sign * of + turn));
+    };
+    for (std::size_t branch = 0; branch < kBranches; branch += 2) {
+      const auto& plus = solved_.theta[branch];
+      solved_.theta[branch + 1] = {plus[0],
+                                   plus[1],
+                                   plus[2],
+                                   opposite(plus[3], 1, kHalfTurn),
+                                   opposite(plus[4], -1, 0),
+                                   opposite(plus[5], 1, kHalfTurn)};
     }
-    solved_.valid = static_cast<std::uint8_t>(solved_.valid | 1 << branch);
   }
 
   const Job& job_;
+  Clocks clocks_;
   Widths widths_;
   Solved solved_;
 

@@ -1,6 +1,6 @@
 // What ik_cordic computes, bit for bit: all branches of the inverse kinematics of a six-axis arm (Vo 2021) or of a
-// five-axis arm (Hu 2012), in integers. The equations are those of controller/kinematics; README.md describes the
-// arithmetic.
+// five-axis arm (Hu 2012), in integers. The equations are those of controller/kinematics;
+// rtl/ik_cordic/README.md describes the arithmetic.
 #pragma once
 
 #include <array>
@@ -26,14 +26,18 @@ struct Job {
 
 // Branch 4 * shoulder + 2 * elbow + flip, 0 for + and 1 for - of IkSolutions. kFiveR has no flip: only even branches.
 struct Solved {
-  std::array<std::array<std::int32_t, kJoints>, kBranches> theta{};  // 0 in branches that are not valid
-  std::uint8_t valid = 0;                                            // bit: branch
+  // Where flip - is not valid it is the flip of flip +, which is 0 where that is not valid.
+  std::array<std::array<std::int32_t, kJoints>, kBranches> theta{};
+  std::uint8_t valid = 0;  // bit: branch
   // Bits of a shoulder: its branches are at the reach limit; beyond it, by rounding; joint 4 (kFiveR) or the wrist
   // centre is on axis 2, and theta_2 is the previous one.
   std::uint8_t elbow_singular = 0, clamped = 0, folded = 0;
   bool shoulder_singular = false;   // theta_1 is the previous one (front), or half a turn away (back)
   std::uint8_t wrist_singular = 0;  // bit 2 * shoulder + elbow: theta_4 is the previous one, flip + stands for both
+  int clocks = 0;                   // that the block is busy
   bool exceeded = false;            // a value did not fit its word; excluded for every job with the stated ranges
+
+  [[nodiscard]] bool operator==(const Solved&) const = default;
 };
 
 [[nodiscard]] Solved solve(const Job& job);

@@ -12,12 +12,11 @@
 
 namespace armature::cosim::model::ik {
 
-inline constexpr int kWordBits = 48;    // of the scratch memory
-inline constexpr int kLaneBits = 40;    // of a lane of the CORDIC
-inline constexpr int kRootBits = 43;    // of an area, the root of a product of two squares
-inline constexpr int kGuardBits = 4;    // of a slave lane below its word
-inline constexpr int kMainBits = 45;    // magnitude of the vector of the main lane
-inline constexpr int kMainDropped = 8;  // bits below the main lane, after the vector is normalised
+inline constexpr int kWordBits = 48;  // of the scratch memory
+inline constexpr int kLaneBits = 40;  // of a lane of the CORDIC
+inline constexpr int kRootBits = 43;  // of an area, the root of a product of two squares
+inline constexpr int kGuardBits = 4;  // of a slave lane below its word
+inline constexpr int kMainBits = 45;  // magnitude of the vector of the main lane, which has the bits of a word
 inline constexpr int kUnitBits = 30;
 inline constexpr int kSquareShift = 16;  // from the product of two lengths to a square
 

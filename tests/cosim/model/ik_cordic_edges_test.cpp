@@ -12,21 +12,7 @@
 namespace armature::test {
 namespace {
 
-constexpr std::int32_t kOne = 1 << kEntryBits, kUnit = 1 << kLengthBits, kQuarterTurn = 1 << 30;
 constexpr double kHalfTurn_rad = std::numbers::pi;
-
-// Links of 9 and 11 units. The hand points along x, its x axis downwards.
-ik::Job six_r_job() {
-  ik::Job job;
-  job.rotation = {0, 0, -kOne, 0, kOne, 0, kOne, 0, 0};
-  job.upper = 9 * kUnit;
-  job.fore = 11 * kUnit;
-  job.phi = kQuarterTurn;
-  job.previous1 = 1'000'000;
-  job.previous2 = 2'000'000;
-  job.previous4 = 4'000'000;
-  return job;
-}
 
 TEST(IkCordicEdges, WithoutAnyLengthEveryAngleIsFree) {
   ik::Job job;
