@@ -10,6 +10,7 @@ int main(int argc, char** argv) {
   if (argc != 3) return 2;
   host_memory::BootMemory boot = cosim::to_boot_memory(cosim::load_scenario(argv[1], {}));
   std::ofstream file{argv[2], std::ios::binary};
-  file.write(reinterpret_cast<const char*>(&boot.memory()), boot.memory().bytes);
+  const void* const bytes = &boot.memory();
+  file.write(static_cast<const char*>(bytes), boot.memory().bytes);
   return file.flush() ? 0 : 1;
 }
