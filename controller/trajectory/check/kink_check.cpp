@@ -11,9 +11,6 @@ void KinkCheck::begin(const CartesianPlan& plan) noexcept {
   count_ = next_ = 0;
   // The first set-points of a plan that continues another one were checked with that one.
   add_kinks(plan.table, plan.continues);
-  const auto end = kinks_.begin() + static_cast<std::ptrdiff_t>(count_);
-  std::sort(kinks_.begin(), end);
-  count_ = static_cast<std::size_t>(std::unique(kinks_.begin(), end) - kinks_.begin());
 }
 
 void KinkCheck::add_kinks(const TimeTable& table, bool in_window) noexcept {
@@ -28,12 +25,32 @@ void KinkCheck::add_kinks(const TimeTable& table, bool in_window) noexcept {
   const double least_share = in_window && table.is_smooth() ? kLeastKinkOfJerk : kLeastKink;
   double most = 0.0;
   for (std::size_t i = 0; i + 1 < table.size(); ++i) most = std::max(most, std::fabs(law_after(i)));
+  // The largest change within a tick behind `i`.
+  const auto change = [&](std::size_t i, double before) {
+    double largest = 0.0;
+    for (std::size_t j = i; j < table.size() && table[j].t_s <= table[i].t_s + kTickSeconds; ++j) {
+      largest = std::max(largest, std::fabs(law_after(j) - before));
+    }
+    return largest;
+  };
+  // Whether the law is larger than `least` at a time that the differences around `i` contain.
+  const auto exceeds = [&](std::size_t i, double least) {
+    const double from_s = table[i].t_s - kBefore * kTickSeconds, to_s = table[i].t_s + kAfter * kTickSeconds;
+    for (std::size_t j = i; j > 0 && table[j].t_s > from_s; --j) {
+      if (std::fabs(law_after(j - 1)) > least) return true;
+    }
+    for (std::size_t j = i; j < table.size() && table[j].t_s < to_s; ++j) {
+      if (std::fabs(law_after(j)) > least) return true;
+    }
+    return false;
+  };
   double before = 0.0;
   for (std::size_t i = 0; i < table.size(); ++i) {
-    const double after = law_after(i);
     const auto tick = static_cast<std::int64_t>(table[i].t_s / kTickSeconds);
-    if (std::fabs(after - before) > least_share * most && tick >= first_tick) kinks_[count_++] = tick;
-    before = after;
+    const double size = change(i, before);
+    const bool counts = tick >= first_tick && size > kLeastOfAll * most && !exceeds(i, size / least_share);
+    if (counts && (count_ == 0 || kinks_[count_ - 1] != tick)) kinks_[count_++] = tick;
+    before = law_after(i);
   }
 }
 

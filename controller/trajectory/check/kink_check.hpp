@@ -6,8 +6,9 @@
 // over ticks, depending on the position of the ticks. So around each kink the differences are taken at every quarter of
 // a tick.
 //
-// A law has many points. Only those where its acceleration changes by more than kLeastKink of
-// the largest one count as kinks.
+// A law has many points. Those count as kinks from which on its acceleration changes, within a tick, by more than
+// kLeastKink of the largest one around: many small steps in a tick are as much as one, and the acceleration along one
+// segment says nothing about another. Less than kLeastOfAll of the largest one of the plan does not count.
 #pragma once
 
 #include <array>
@@ -48,7 +49,7 @@ class KinkCheck {
   int sample_around(const CartesianPlan& plan, std::int64_t kink, const JointAngles& joints, PathCheck& check) const;
 
   const Arm& arm_;
-  static constexpr double kLeastKink = 0.1, kLeastKinkOfJerk = 0.5;
+  static constexpr double kLeastKink = 0.1, kLeastKinkOfJerk = 0.5, kLeastOfAll = 1e-3;
   static constexpr std::size_t kMaxKinks = TimeTable::kMaxPoints;
   void add_kinks(const TimeTable& table, bool in_window) noexcept;
 
