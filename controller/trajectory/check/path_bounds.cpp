@@ -165,7 +165,7 @@ PathBounds::Found PathBounds::step(const CartesianPlan& plan) noexcept {
   return span_ < span_count_ ? check_interval(plan) : search(plan);
 }
 
-void PathBounds::go_on_from(const JointAngles& joints) noexcept {
+void PathBounds::continue_from(const JointAngles& joints) noexcept {
   if (span_ < span_count_) return;
   last_.joints = joints;
   last_.found = false;
@@ -178,7 +178,7 @@ PathBounds::Found PathBounds::search(const CartesianPlan& plan) noexcept {
   return at_end ? end_part(plan) : begin_way(plan);
 }
 
-// Where segments meet without a corner and the motion goes on, and where a configuration is requested, the set-points
+// Where segments meet without a corner and the motion continues, and where a configuration is requested, the set-points
 // around are checked.
 PathBounds::Found PathBounds::end_part(const CartesianPlan& plan) noexcept {
   const bool breaks = !in_corner_ && plan.segments[segment_].corner == 0.0;

@@ -50,7 +50,7 @@ class PathBounds {
   Found step(const CartesianPlan& plan) noexcept;
   // Call after kUnknown before the next step, with the joints close behind ticks(): another branch of the inverse
   // kinematics may be nearest to the samples before that time.
-  void go_on_from(const JointAngles& joints) noexcept;
+  void continue_from(const JointAngles& joints) noexcept;
   [[nodiscard]] double ticks() const noexcept;
   // After kKept: of PathCheck::jerk_share(), at most.
   [[nodiscard]] double jerk_share() const noexcept { return jerk_share_; }

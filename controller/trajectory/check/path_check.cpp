@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <span>
 #include <utility>
 
 #include "controller/base/math.hpp"
 #include "controller/base/timebase.hpp"
 #include "controller/kinematics/branch_choice.hpp"
-#include "controller/robot/axis_units.hpp"
 
 namespace armature {
 namespace {
@@ -46,11 +44,10 @@ bool rests_at(const CartesianPlan& plan, std::int64_t tick) {
 PathCheck::PathCheck(const RobotModel& robot) noexcept : axis_count_{robot.axis_count} {
   for (std::size_t axis = 0; axis < axis_count_; ++axis) {
     const AxisModel& model = robot.axes[axis];
-    const double jerk_rad_s3 =
-        model.max_jerk_rad_s3 > 0.0 ? model.max_jerk_rad_s3 : std::numeric_limits<double>::infinity();
-    limit_[0][axis] = kCheckedShare * AxisUnits{model}.max_speed_rad_s() * kTickSeconds;
-    limit_[1][axis] = kCheckedShare * model.max_accel_rad_s2 * power(kTickSeconds, 2);
-    limit_[2][axis] = kCheckedShare * jerk_rad_s3 * power(kTickSeconds, 3);
+    const CheckedLimits limits{model};
+    limit_[0][axis] = limits.speed_rad_s * kTickSeconds;
+    limit_[1][axis] = limits.accel_rad_s2 * power(kTickSeconds, 2);
+    limit_[2][axis] = limits.jerk_rad_s3 * power(kTickSeconds, 3);
     const double beyond_rad = model.max_accel_rad_s2 * power(kTickSeconds, 2) / 8.0 - kLimitTolerance_rad;
     lowest_[axis] = model.min_rad + beyond_rad;
     highest_[axis] = model.max_rad - beyond_rad;

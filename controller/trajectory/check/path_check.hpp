@@ -27,12 +27,13 @@
 #include "controller/kinematics/transform.hpp"
 #include "controller/robot/robot_model.hpp"
 #include "controller/trajectory/cartesian/cartesian_plan.hpp"
+#include "controller/trajectory/check/checked_limits.hpp"
 
 namespace armature {
 
 class PathCheck {
  public:
-  static constexpr double kCheckedShare = 0.98;
+  static constexpr double kCheckedShare = CheckedLimits::kShare;
   // Rounding in the first and second differences of tool positions is far below these shares of a limit; of a very slow
   // tool it is below kRounding, mm or rad in a tick.
   static constexpr double kSpeedTolerance = 1e-6;
@@ -44,7 +45,7 @@ class PathCheck {
 
   // The arm rests at the start of a plan.
   void begin(const JointAngles& joints, const ToolSample& tool) noexcept;
-  // Goes on behind a later tick, at which the arm is here. The differences of the next three ticks mean nothing.
+  // Continues behind a later tick, at which the arm is here. The differences of the next three ticks mean nothing.
   void restart(std::int64_t tick, const JointAngles& joints, const ToolSample& tool) noexcept;
   // The set-point one tick later. `through_wrist`: of FollowedTool.
   void add(const CartesianPlan& plan, const JointAngles& joints, const ToolSample& tool,

@@ -53,7 +53,7 @@ PathPass::Progress PathPass::step(CartesianPlan& plan) noexcept {
 
 void PathPass::step_bounds(CartesianPlan& plan) noexcept {
   const double from = bounds_.ticks();
-  if (std::exchange(unknown_, false)) bounds_.go_on_from(joints_);
+  if (std::exchange(unknown_, false)) bounds_.continue_from(joints_);
   const PathBounds::Found found = bounds_.step(plan);
   inverses_ = bounds_.inverses();
   latest_ = {};

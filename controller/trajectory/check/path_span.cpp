@@ -15,8 +15,9 @@ namespace {
 // where V, S and B are what the curve over the whole way is off in its middle (SpanMisfit), with these factors. They
 // follow from the errors that a way can have:
 //   - A polynomial of degree 5 that meets value, slope and bend at both ends differs from a smooth curve by
-//     (x (1 - x))^3 (k + m (x - 1/2)), x = 0..1, so V = k / 64 and S = m / (64 L). On half of the way k is a 64th, and
-//     m adds up to 3.5 times as much. Derivatives of (x (1 - x))^3 are up to 3.43, 24 and 384 times its largest value.
+//     (x (1 - x))^3 (k + m (x - 1/2)), x = 0..1. So V = k / 64 and S = m / (64 L). On half of the way k is a 64th.
+//     There m adds up to 3.5 times as much. Derivatives of (x (1 - x))^3 are up to 3.43, 24 and 384 times its largest
+//     value.
 //   - Slopes and bends of samples come from differences. An error that all three samples have shows 1.9 times in S if
 //     it is one of slopes, and 1.5 times in B if it is one of bends. It makes the derivatives of the halves wrong by up
 //     to 1, 12 / L and 240 / L^2 times the error of slopes, or L / 20, 1 and 24 / L times that of bends.

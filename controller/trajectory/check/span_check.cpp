@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "controller/base/math.hpp"
 #include "controller/base/timebase.hpp"
-#include "controller/robot/axis_units.hpp"
 #include "controller/trajectory/cartesian/path_corners.hpp"
 #include "controller/trajectory/check/path_check.hpp"
 
@@ -40,38 +38,42 @@ double time_at(const SpanMotion& motion, double s, double most_s) noexcept {
 }
 
 SpanCheck::SpanCheck(const RobotModel& robot) noexcept : axis_count_{robot.axis_count} {
-  constexpr double kShare = PathCheck::kCheckedShare;
   for (std::size_t axis = 0; axis < axis_count_; ++axis) {
     const AxisModel& model = robot.axes[axis];
-    const bool limited = model.max_jerk_rad_s3 > 0.0;
-    speed_[axis] = kShare * AxisUnits{model}.max_speed_rad_s();
-    accel_[axis] = kShare * model.max_accel_rad_s2;
-    jerk_[axis] = limited ? kShare * model.max_jerk_rad_s3 : std::numeric_limits<double>::infinity();
+    const CheckedLimits limits{model};
+    speed_[axis] = limits.speed_rad_s;
+    accel_[axis] = limits.accel_rad_s2;
+    jerk_[axis] = limits.jerk_rad_s3;
     lowest_rad_[axis] = model.min_rad;
     highest_rad_[axis] = model.max_rad;
   }
 }
 
+template <class Condition>
+bool SpanCheck::all_curves(const CartesianSegment& segment, Condition condition) const noexcept {
+  for (std::size_t axis = 0; axis < axis_count_; ++axis) {
+    if (!condition(axis, segment.limits.joint_accel * accel_[axis], jerk_[axis])) return false;
+  }
+  const PathLimits& limits = segment.limits;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!condition(SpanSample::kMove + i, limits.accel_mm_s2, limits.jerk_mm_s3)) return false;
+    if (!condition(SpanSample::kTurn + i, limits.turn_accel_rad_s2, limits.turn_jerk_rad_s3)) return false;
+  }
+  return true;
+}
+
 bool SpanCheck::fits(const CartesianSegment& segment, const SpanMisfit& misfit, double speed) const noexcept {
   constexpr double kTick = kTickSeconds;
   const bool smooth = segment.profile == ProfileKind::kSCurve;
-  const auto small = [&](const SpanCurve::End& off, double accel, double jerk) {
+  return all_curves(segment, [&](std::size_t curve, double accel, double jerk) {
+    const SpanCurve::End& off = misfit.off[curve];
     const double bend = off.bend * math::square(speed), slope = off.slope * speed, value = off.value;
     const double most = kFit * accel;
     if (!(bend <= most && slope <= most * kTick && value <= most * math::square(kTick))) return false;
     if (!smooth) return true;
     const double change = kJerkFit * jerk * kTick;
     return bend <= change && slope <= change * kTick && value <= change * math::square(kTick);
-  };
-  for (std::size_t axis = 0; axis < axis_count_; ++axis) {
-    if (!small(misfit.off[axis], segment.limits.joint_accel * accel_[axis], jerk_[axis])) return false;
-  }
-  for (std::size_t i = 0; i < 3; ++i) {
-    const PathLimits& limits = segment.limits;
-    if (!small(misfit.off[SpanSample::kMove + i], limits.accel_mm_s2, limits.jerk_mm_s3)) return false;
-    if (!small(misfit.off[SpanSample::kTurn + i], limits.turn_accel_rad_s2, limits.turn_jerk_rad_s3)) return false;
-  }
-  return true;
+  });
 }
 
 SpanCheck::Rates SpanCheck::rates(const SpanCurve::Derivatives& by_s, const SpanMotion& m) noexcept {
@@ -210,21 +212,11 @@ bool SpanCheck::joins(const CartesianSegment& segment, const PathSpan& span, con
   const double accel = std::fabs(behind.accel - before.accel);
   const bool smooth = segment.profile == ProfileKind::kSCurve;
   const double change = way / math::square(kTick) + speed / kTick;
-  const auto small = [&](double slope, double most_accel, double most_jerk) {
+  return all_curves(segment, [&](std::size_t curve, double most_accel, double most_jerk) {
+    const double slope = span.curves[curve].most(1);
     if (!(slope * change <= kJoin * most_accel)) return false;
     return !smooth || slope * (accel + 2.0 * change) <= kJoinOfJerk * most_jerk * kTick;
-  };
-  for (std::size_t axis = 0; axis < axis_count_; ++axis) {
-    if (!small(span.curves[axis].most(1), segment.limits.joint_accel * accel_[axis], jerk_[axis])) return false;
-  }
-  const PathLimits& limits = segment.limits;
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (!small(span.curves[SpanSample::kMove + i].most(1), limits.accel_mm_s2, limits.jerk_mm_s3)) return false;
-    if (!small(span.curves[SpanSample::kTurn + i].most(1), limits.turn_accel_rad_s2, limits.turn_jerk_rad_s3)) {
-      return false;
-    }
-  }
-  return true;
+  });
 }
 
 }  // namespace armature

@@ -79,6 +79,9 @@ class SpanCheck {
   struct Ends {
     Rates first, last, more;
   };
+  // Whether a condition holds for each curve: condition(curve, largest acceleration, largest jerk).
+  template <class Condition>
+  [[nodiscard]] bool all_curves(const CartesianSegment& segment, Condition condition) const noexcept;
   [[nodiscard]] static Rates most_between(const PathSpan& span, std::size_t curve, const Interval& interval) noexcept;
   [[nodiscard]] static Rates rates(const SpanCurve::Derivatives& by_s, const SpanMotion& motion) noexcept;
   // Compares sizes with limits. `axis`: 0 is the tool.
