@@ -7,6 +7,7 @@
 
 #include "controller/app/controller.hpp"
 #include "controller/board/board_bus.hpp"
+#include "controller/board/mpcore.hpp"
 #include "controller/host_memory/memory.hpp"
 
 extern "C" {
@@ -22,12 +23,10 @@ namespace {
 using armature::Controller;
 using armature::Interrupts;
 using armature::board::BoardBus;
+using armature::board::mpcore::kCore1Start;
 
 alignas(Controller) std::array<std::byte, sizeof(Controller)> storage;
 Controller* controller = nullptr;
-
-// Where the boot ROM of core 1 looks for the address to continue at (UG585 section 6.1.10).
-constexpr std::uint32_t kCore1Start = 0xFFFF'FFF0;
 
 constexpr std::uint32_t kMegabyte = 0x0010'0000;
 constexpr std::uint32_t kMemoryEnd = 0x4000'0000;  // DDR; the logic begins

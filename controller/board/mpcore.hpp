@@ -11,6 +11,9 @@ namespace armature::board::mpcore {
 inline constexpr std::uint32_t kBase = 0xF8F0'0000;
 inline constexpr std::uint32_t kSize = 0x2000;
 
+// In the on-chip memory, where the boot ROM of core 1 looks for the address to continue at (UG585 section 6.1.10).
+inline constexpr std::uint32_t kCore1Start = 0xFFFF'FFF0;
+
 // ---- snoop control unit: coherency of the two L1 caches
 inline constexpr std::uint32_t kScuControl = 0x000;  // bit 0: on
 

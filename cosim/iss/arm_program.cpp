@@ -6,6 +6,7 @@
 #include <new>
 #include <stdexcept>
 
+#include "controller/board/mpcore.hpp"
 #include "controller/host_memory/boot_memory.hpp"
 
 namespace armature::cosim::iss {
@@ -17,7 +18,7 @@ constexpr std::uint32_t kDdr = 0x0010'0000;
 constexpr std::size_t kDdrBytes = 63u << 20;
 constexpr std::uint32_t kOnChip = 0xFFFC'0000;
 constexpr std::size_t kOnChipBytes = 256u << 10;
-constexpr std::uint32_t kCore1Start = 0xFFFF'FFF0;
+using board::mpcore::kCore1Start;
 
 }  // namespace
 

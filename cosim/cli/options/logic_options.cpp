@@ -26,16 +26,12 @@ void refuse_old_option(CLI::App& command) {
       ->group("");  // not in --help
 }
 
-std::string engine_help() {
-  return without_markdown(kEngineHelp);
-}
-
 }  // namespace
 
 void add_logic_options(CLI::App& command, LogicChoice& chosen) {
   add_word_option(command, "--variant", chosen.variant,
                   "Variant of the logic: 'counts', or 'paper' as Vo 2021 describes it (half periods, one decoder)");
-  add_word_option(command, "--engine", chosen.engine, engine_help());
+  add_word_option(command, "--engine", chosen.engine, without_markdown(kEngineHelp));
   refuse_old_option(command);
 }
 
@@ -50,7 +46,7 @@ void add_engines_option(CLI::App& command, std::vector<Engine>& chosen) {
             chosen =
                 word == kBoth ? std::vector{Engine::kRtl, Engine::kModel} : std::vector{*enumerator_of<Engine>(word)};
           },
-          engine_help() + " 'both': the RTL, then the model (default: as the scenario says)")
+          without_markdown(kEngineHelp) + " 'both': the RTL, then the model (default: as the scenario says)")
       ->check(CLI::IsMember(words));
 }
 

@@ -72,10 +72,9 @@ const KeyTable<CpuSpec>& cpu_keys() {
       .keys = {
           named_key("processor", &CpuSpec::processor, kCpuHelp),
           key("cpi", &CpuSpec::cpi, between(0.1, 100, "clocks"),
-              "Clocks of a Cortex-A9 for each instruction. With it the instructions take time, at 667 MHz, and the "
-              "costs "
-              "below do not count; the fault `slow_core` adds its time. Needs `processor = \"a9\"`. load.csv and "
-              "summary.json then have the instructions of a tick."),
+              "Clocks of a Cortex-A9 for each instruction, at 667 MHz. Instructions then take this time, and the costs "
+              "below do not count. The fault `slow_core` adds its time. load.csv and summary.json have the "
+              "instructions of a tick. Needs `processor = \"a9\"`."),
           key("interrupt_entry_cycles", &CpuSpec::interrupt_entry_cycles, between(0, kMaxCycles, "cycles"),
               "Interrupt latency: time from the interrupt to the first instruction of its handler."),
           key("tick_compute_cycles", &CpuSpec::tick_compute_cycles, between(0, kMaxCycles, "cycles"),
