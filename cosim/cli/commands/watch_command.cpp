@@ -78,8 +78,7 @@ class Watch {
       if (summary.interrupted) return;
       std::string report = kNoReport;
       if (can_be_shown(summary)) {
-        digest_ = write_report(out_, out_ / kReportFile, {.page = {.reloads = true}});
-        replace_text_file(out_ / kReloadFile, reload_script(digest_, ""));
+        digest_ = write_reloading_report(out_, out_ / kReportFile);
         report = fmt::format("report         {}\n", printable((out_ / kReportFile).string(), kShowAll));
       }
       std::cout << with_color(verdict_line(summary)) << printable_lines(failure_reasons(scenario, summary))

@@ -1,7 +1,6 @@
 #include "cosim/cli/run/followed_report.hpp"
 
 #include <chrono>
-#include <string>
 #include <thread>
 
 #include "cosim/cli/run/file_changes.hpp"
@@ -9,7 +8,6 @@
 #include "cosim/cli/run/report_file.hpp"
 #include "cosim/run/run_folder.hpp"
 #include "cosim/text/input_error.hpp"
-#include "cosim/text/text_file.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -21,26 +19,21 @@ constexpr std::chrono::seconds kBetweenPages{1};
 // The newest moment: a page shows its last one instead of a later one.
 constexpr double kNewest_s = 1e9;
 
-void write_page(const fs::path& folder, const fs::path& page, const ReportRequest& request) {
-  const std::string digest = write_report(folder, page, request);
-  replace_text_file(page.parent_path() / kReloadFile, reload_script(digest, ""));
-}
-
 }  // namespace
 
 bool follow_report(const fs::path& folder, const fs::path& page) {
-  const PageOptions newest{.shown = ShownPart{.from_s = 0, .to_s = kNewest_s, .time_s = kNewest_s}, .reloads = true};
+  const PageOptions newest{.shown = ShownPart{.from_s = 0, .to_s = kNewest_s, .time_s = kNewest_s}};
   FileChanges trace;
   trace.add(folder / kTraceFile);
   for (bool first = true; !interrupted(); first = false) {
     if (!is_being_written(folder)) {
-      write_page(folder, page, {.page = {.reloads = true}});
+      write_reloading_report(folder, page);
       return true;
     }
     if (first || trace.changed()) {
       trace.restart();
       try {
-        write_page(folder, page, {.page = newest, .so_far = true});
+        write_reloading_report(folder, page, {.page = newest, .so_far = true});
       } catch (const InputError&) {
         // No row yet, or the run has just ended and removed its mark. The last page tells what is wrong.
       }

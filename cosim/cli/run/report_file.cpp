@@ -40,4 +40,11 @@ std::string write_report(const fs::path& folder, const fs::path& page, const Rep
   return report.digest;
 }
 
+std::string write_reloading_report(const fs::path& folder, const fs::path& page, ReportRequest request) {
+  request.page.reloads = true;
+  std::string digest = write_report(folder, page, request);
+  replace_text_file(page.parent_path() / kReloadFile, reload_script(digest, ""));
+  return digest;
+}
+
 }  // namespace armature::cosim

@@ -29,5 +29,8 @@ struct ReportRequest {
 // folder has no results.
 std::string write_report(const std::filesystem::path& folder, const std::filesystem::path& page,
                          const ReportRequest& request = {});
+// The same for a page that reloads itself, and writes the script beside it that tells an open page to do so.
+std::string write_reloading_report(const std::filesystem::path& folder, const std::filesystem::path& page,
+                                   ReportRequest request = {});
 
 }  // namespace armature::cosim

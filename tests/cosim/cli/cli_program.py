@@ -55,6 +55,13 @@ class Program(unittest.TestCase):
         chosen = any(name.startswith(("--engine", "--vcd", "--fst", "--help")) for name in names)
         return arguments if chosen or names[:1] != ["run"] else (*arguments, "--engine", self.engine)
 
+    def beside(self, *arguments, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL):
+        """A program that runs beside the test, killed at its end if it still runs."""
+        program = subprocess.Popen([self.path, *map(str, arguments)], cwd=self.folder, stdout=stdout, stderr=stderr)
+        self.addCleanup(program.wait)
+        self.addCleanup(program.kill)
+        return program
+
     def once(self, name, make):
         """What `make` gives when the first test of the class asks for it. The tests share it and do not change it."""
         if name not in self.kept:

@@ -30,20 +30,8 @@ class Interrupt(Program):
         self.assertEqual((result["golden"], result["golden_text"]), ("not compared", "the run was interrupted"))
         subprocess.run(["fst2vcd", "x.fst", "-o", os.devnull], cwd=self.folder, check=True, capture_output=True)
 
-    def start(self, *arguments):
-        """A run beside this one, killed at the end of the test."""
-        run = subprocess.Popen(
-            [self.path, "run", *map(str, arguments)],
-            cwd=self.folder,
-            stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL,
-        )
-        self.addCleanup(run.wait)
-        self.addCleanup(run.kill)
-        return run
-
     def test_a_second_run_into_the_same_folder_is_an_error_that_names_the_first(self):
-        first = self.start(SCENARIOS / "fig9_joint_move", "--out", "x", "--set", "duration_s=1000")
+        first = self.beside("run", SCENARIOS / "fig9_joint_move", "--out", "x", "--set", "duration_s=1000")
         self.wait_for("x/trace.csv")
         done = self.armature("run", TINY, *BRIEF, "--out", "x", code=2)
         self.assertIn(f"x: process {first.pid} is writing a run into this folder", done.stderr)
@@ -54,7 +42,7 @@ class Interrupt(Program):
         self.armature("run", TINY, *BRIEF, "--out", "x")
 
     def test_a_killed_run_leaves_what_it_has_done_and_is_recognised_as_unfinished(self):
-        run = self.start(SCENARIOS / "fig9_joint_move", "--out", "x", "--set", "duration_s=1000")
+        run = self.beside("run", SCENARIOS / "fig9_joint_move", "--out", "x", "--set", "duration_s=1000")
         self.wait_for("x/trace.csv")
         trace = self.folder / "x/trace.csv"
         rows = 200  # it writes all files every 100 rows

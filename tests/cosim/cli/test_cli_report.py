@@ -3,7 +3,6 @@
 import json
 import re
 import signal
-import subprocess
 
 from cli_program import BRIEF, SCENARIOS, TINY, Program, main
 
@@ -55,9 +54,9 @@ class Report(Program):
         self.assertIn("summary.json", done.stderr)
 
     def test_a_report_follows_a_run_to_its_end(self):
-        run = self.start("run", SCENARIOS / "fig9_joint_move", "--out", "x", "--set", "duration_s=1000")
+        run = self.beside("run", SCENARIOS / "fig9_joint_move", "--out", "x", "--set", "duration_s=1000")
         self.wait_for("x/trace.csv")
-        report = self.start("report", "x", "--follow")
+        report = self.beside("report", "x", "--follow")
 
         def rows():
             file = self.folder / "x/report.html"
@@ -79,24 +78,12 @@ class Report(Program):
         self.assertEqual(data_of(self.page("x/report.html"))["summary"]["result"]["passed"], True)
 
     def test_ctrl_c_ends_a_report_that_follows(self):
-        self.start("run", SCENARIOS / "fig9_joint_move", "--out", "x", "--set", "duration_s=1000")
+        self.beside("run", SCENARIOS / "fig9_joint_move", "--out", "x", "--set", "duration_s=1000")
         self.wait_for("x/trace.csv")
-        report = self.start("report", "x", "--follow")
+        report = self.beside("report", "x", "--follow")
         self.wait_for("x/reload.js")
         report.send_signal(signal.SIGINT)
         self.assertEqual(report.wait(timeout=60), 130)
-
-    def start(self, *arguments):
-        """A program beside this one, killed at the end of the test."""
-        program = subprocess.Popen(
-            [self.path, *map(str, arguments)],
-            cwd=self.folder,
-            stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL,
-        )
-        self.addCleanup(program.wait)
-        self.addCleanup(program.kill)
-        return program
 
     def test_bad_input_is_told(self):
         self.assertIn("y: is no folder", self.armature("report", "y", code=2).stderr)

@@ -14,12 +14,7 @@ class Watch(Program):
     def start(self, *arguments):
         self.log = open(self.folder / "watch.txt", "w")
         self.addCleanup(self.log.close)
-        watch = subprocess.Popen(
-            [self.path, "watch", *map(str, arguments)], cwd=self.folder, stdout=self.log, stderr=subprocess.STDOUT
-        )
-        self.addCleanup(watch.wait)
-        self.addCleanup(watch.kill)
-        return watch
+        return self.beside("watch", *arguments, stdout=self.log, stderr=subprocess.STDOUT)
 
     def said(self):
         return (self.folder / "watch.txt").read_text()

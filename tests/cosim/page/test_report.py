@@ -3,7 +3,6 @@
 import json
 import re
 import shutil
-import subprocess
 import sys
 
 from report_program import BRIEF, OURS, SCENARIOS, TINY, ReportProgram, main
@@ -151,14 +150,7 @@ class Report(Panels):
     def test_a_watched_report_reloads_itself_and_stays_where_it_is(self):
         scenario = self.copy_of(self.brief())
         file = scenario / "scenario.toml"
-        watch = subprocess.Popen(
-            [self.path, "watch", scenario, "--out", "x"],
-            cwd=self.folder,
-            stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL,
-        )
-        self.addCleanup(watch.wait)
-        self.addCleanup(watch.kill)
+        self.beside("watch", scenario, "--out", "x")
         self.addCleanup(self.page.of_page, "Page.navigate", url="about:blank")  # it asks for the file no more
         self.wait_for("x/reload.js")
         self.page.open(self.folder / "x/report.html")
@@ -178,19 +170,9 @@ class Report(Panels):
         self.assertLessEqual(beside, {page + "/report.html", page + "/reload.js"})
 
     def test_a_page_of_a_growing_run_shows_its_newest_moment(self):
-        programs = []
-        for arguments in (
-            ("run", SCENARIOS / "fig9_joint_move", "--out", "x", "--set", "duration_s=1000"),
-            ("report", "x", "--follow"),
-        ):
-            programs.append(
-                subprocess.Popen(
-                    [self.path, *arguments], cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
-                )
-            )
-            self.addCleanup(programs[-1].wait)
-            self.addCleanup(programs[-1].kill)
-            self.wait_for("x/trace.csv")
+        self.beside("run", SCENARIOS / "fig9_joint_move", "--out", "x", "--set", "duration_s=1000")
+        self.wait_for("x/trace.csv")
+        self.beside("report", "x", "--follow")
         self.addCleanup(self.page.of_page, "Page.navigate", url="about:blank")
         self.wait_for("x/reload.js")
         self.page.open(self.folder / "x/report.html")
