@@ -34,7 +34,8 @@ inline constexpr std::uint32_t kCtrlStartMask = 0x00000001;
 inline constexpr Field kCtrlFiveR{.lsb = 1, .width = 1};
 inline constexpr std::uint32_t kCtrlFiveRMask = 0x00000002;
 inline constexpr std::uint32_t kCtrlFiveRReset = 0;
-inline constexpr Field kCtrlIrq{.lsb = 2, .width = 1};  // irq (rw): Enables the interrupt: irq_o is EVENT.done
+// irq (rw): Enables the interrupt: the level of its line is EVENT.done, one clock later.
+inline constexpr Field kCtrlIrq{.lsb = 2, .width = 1};
 inline constexpr std::uint32_t kCtrlIrqMask = 0x00000004;
 inline constexpr std::uint32_t kCtrlIrqReset = 0;
 
@@ -42,7 +43,7 @@ inline constexpr std::uint32_t kCtrlIrqReset = 0;
 inline constexpr std::uint32_t kStatusOffset = 0x08;
 inline constexpr Field kStatusBusy{.lsb = 0, .width = 1};  // busy (ro): A pose is being solved
 inline constexpr std::uint32_t kStatusBusyMask = 0x00000001;
-// done (ro): BRANCHES, FLAGS and THETA are those of the last start; 0 while busy.
+// done (ro): BRANCHES, FLAGS and THETA are those of the last start; 0, as they are, while busy.
 inline constexpr Field kStatusDone{.lsb = 1, .width = 1};
 inline constexpr std::uint32_t kStatusDoneMask = 0x00000002;
 // refused (ro): A start was ignored since the last one that was not.

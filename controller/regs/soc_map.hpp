@@ -10,10 +10,10 @@ namespace armature::regs::soc {
 
 inline constexpr std::uint32_t kClkFreqHz = 50'000'000;
 inline constexpr std::uint32_t kTickCycles = 2'500;
-inline constexpr std::uint32_t kNumBlocks = 5;
+inline constexpr std::uint32_t kNumBlocks = 6;
 inline constexpr std::uint32_t kNumPaperBlocks = 6;
 inline constexpr std::uint32_t kNumAxes = 6;
-inline constexpr std::uint32_t kNumIrqs = 3;
+inline constexpr std::uint32_t kNumIrqs = 4;
 
 // AXI GPIO: 16 outputs and 16 inputs for end-effector tools.
 inline constexpr std::uint32_t kAxiGpioBase = 0x41200000;
@@ -46,6 +46,11 @@ inline constexpr std::uint32_t kEncoderSize = 0x10000;
 inline constexpr std::uint32_t kEncoderSwitchBase = 0x43C30000;
 inline constexpr std::uint32_t kEncoderSwitchSize = 0x10000;
 
+// Inverse kinematics by CORDIC (Hu 2012): all branches of a pose.
+inline constexpr std::uint32_t kIkCordicBase = 0x43C40000;
+inline constexpr std::uint32_t kIkCordicSize = 0x10000;
+inline constexpr std::uint32_t kIkCordicIrq = 3;  // bit of irq_o
+
 // All blocks.
 struct Block {
   std::string_view name;
@@ -61,6 +66,7 @@ inline constexpr Block kBlocks[]{
     {.name = "pulse_width", .base = kPulseWidthBase, .size = kPulseWidthSize, .variant = "paper"},
     {.name = "encoder", .base = kEncoderBase, .size = kEncoderSize, .variant = ""},
     {.name = "encoder_switch", .base = kEncoderSwitchBase, .size = kEncoderSwitchSize, .variant = "paper"},
+    {.name = "ik_cordic", .base = kIkCordicBase, .size = kIkCordicSize, .variant = "counts"},
 };
 
 }  // namespace armature::regs::soc

@@ -7,8 +7,8 @@
 namespace armature::cosim {
 
 // The bits of active_o.
-inline constexpr unsigned kIoClock = 1, kMotionClock = 2, kEncoderClock = 4, kBusClock = 8;
-inline constexpr unsigned kAllGatedClocks = kIoClock | kMotionClock | kEncoderClock | kBusClock;
+inline constexpr unsigned kIoClock = 1, kMotionClock = 2, kEncoderClock = 4, kBusClock = 8, kIkClock = 16;
+inline constexpr unsigned kAllGatedClocks = kIoClock | kMotionClock | kEncoderClock | kBusClock | kIkClock;
 
 // The clocks that rise together.
 struct Clocks {
@@ -21,6 +21,7 @@ struct Clocks {
   [[nodiscard]] bool clk_motion_i() const { return (gated & kMotionClock) != 0; }
   [[nodiscard]] bool clk_encoder_i() const { return (gated & kEncoderClock) != 0; }
   [[nodiscard]] bool clk_bus_i() const { return (gated & kBusClock) != 0; }
+  [[nodiscard]] bool clk_ik_i() const { return (gated & kIkClock) != 0; }
 };
 
 // The gated clocks that the levels of input pins need, besides active_o. That depends on flops only, so it does not see
@@ -46,6 +47,7 @@ void set_clocks(Model& model, Clocks clocks) {
   model.clk_motion_i = clocks.clk_motion_i();
   model.clk_encoder_i = clocks.clk_encoder_i();
   model.clk_bus_i = clocks.clk_bus_i();
+  model.clk_ik_i = clocks.clk_ik_i();
 }
 
 // A clock edge with Verilator's eval(). The clock pins are 0 before and after it.

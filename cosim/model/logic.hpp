@@ -70,12 +70,13 @@ class Logic {
     const PulseInputs pulses = pulse_inputs();
     const DecoderInputs decoder = decoder_inputs();
     const auto is_due = [this](std::size_t port) { return wakes_[port] <= now_; };
-    const bool gpio = is_due(0), timer = is_due(1), uart = is_due(2), generators = is_due(3), decoders = is_due(4);
+    const bool gpio = is_due(0), timer = is_due(1), uart = is_due(2), generators = is_due(3), decoders = is_due(4),
+               kinematics = is_due(5);
     if (gpio) gpio_.edge(now_, gpio_inputs(), {});
     if (timer) timer_.edge(now_, timer_inputs(), {});
     if (uart) uart_.edge(now_, uart_inputs(), {});
     if (generators) pulses_.edge(now_, pulses, {});
-    if (decoders) {
+    if (decoders || kinematics) {
       const std::array<Strobes, kBlocks - 4> none;
       std::array<Answer, kBlocks - 4> answers;
       variant_.edge(now_, in_, decoder, none.data(), answers.data());
@@ -87,6 +88,7 @@ class Logic {
     // Outputs are inputs of these.
     if (generators || changed) wakes_[3] = pulses_.wakes_at(now_, pulse_inputs());
     if (decoders || changed) wakes_[4] = variant_.wakes_at(now_, in_, decoder_inputs());
+    if (kinematics) wakes_[5] = variant_.ik_wakes_at();
     next_wake_ = std::ranges::min(wakes_);
     return changed;
   }
@@ -123,9 +125,12 @@ class Logic {
         of(pulses_);
         shows = shows && decltype(pulses_)::kAccessShows;
         break;
-      default:
+      case 4:
         if constexpr (kQuickPorts > 4) of(variant_.decoder());
         return false;  // it has no output
+      default:
+        if constexpr (Variant::kHasIk) of(variant_.ik());
+        return false;  // its interrupt follows at the next edge
     }
     if (!shows || !show_outputs()) return false;
     wakes_known_ = false;
@@ -160,13 +165,13 @@ class Logic {
 
   // The ports of the blocks that have the gated clock of `group`, one bit each.
   [[nodiscard]] static constexpr std::uint32_t ports_of(ClockGroup group) {
-    constexpr std::uint32_t kSwitch = kBlocks > 5 ? 1u << 5 : 0u;
+    constexpr std::uint32_t kSwitch = Variant::kHasIk ? 0u : 1u << 5;
     return group == ClockGroup::kIo ? 0b101u : group == ClockGroup::kMotion ? 0b1010u | kSwitch : 0b10000u;
   }
 
  private:
-  // The blocks behind these ports can have an edge alone; the decoders can, if they are one block.
-  static constexpr std::size_t kQuickPorts = kBlocks == 5 ? 5 : 4;
+  // The blocks behind these ports can have an edge alone; those of the paper's decoder cannot.
+  static constexpr std::size_t kQuickPorts = Variant::kHasIk ? kBlocks : 4;
 
   [[noreturn]] static void throw_past() { throw std::logic_error{"model: a block asks for an edge in the past"}; }
 
@@ -193,9 +198,12 @@ class Logic {
   }
 
   void find_wakes() const {
-    wakes_ = {gpio_.wakes_at(now_, gpio_inputs()), timer_.wakes_at(now_, timer_inputs()),
-              uart_.wakes_at(now_, uart_inputs()), pulses_.wakes_at(now_, pulse_inputs()),
-              variant_.wakes_at(now_, in_, decoder_inputs())};
+    wakes_ = {gpio_.wakes_at(now_, gpio_inputs()),
+              timer_.wakes_at(now_, timer_inputs()),
+              uart_.wakes_at(now_, uart_inputs()),
+              pulses_.wakes_at(now_, pulse_inputs()),
+              variant_.wakes_at(now_, in_, decoder_inputs()),
+              variant_.ik_wakes_at()};
     next_wake_ = std::ranges::min(wakes_);
     wakes_known_ = true;
   }
@@ -230,7 +238,8 @@ class Logic {
             .trigger = timer_.block().trigger(),
             .irq = static_cast<std::uint8_t>(irq(gpio_.block().irq(), regs::soc::kAxiGpioIrq) |
                                              irq(timer_.block().irq(), regs::soc::kAxiTimerIrq) |
-                                             irq(uart_.block().irq(), regs::soc::kAxiUart16550Irq))};
+                                             irq(uart_.block().irq(), regs::soc::kAxiUart16550Irq) |
+                                             irq(variant_.ik_irq(), regs::soc::kIkCordicIrq))};
   }
 
   SocInputs in_;
@@ -241,8 +250,8 @@ class Logic {
   Variant variant_;
   SocOutputs outputs_ = sample();
   Cycles now_{};
-  // The next edges that the blocks must compute, by port; the last one is of all decoders.
-  mutable std::array<Cycles, 5> wakes_{};
+  // The next edges that the blocks must compute, by port; [4] is of all decoders, [5] of ik_cordic.
+  mutable std::array<Cycles, 6> wakes_{};
   mutable Cycles next_wake_{};  // the earliest of them
   mutable bool wakes_known_ = false;
 };

@@ -2,7 +2,8 @@
 //
 //   kBases       base addresses of all blocks: gpio, timer, uart, pulses, then those of edge()
 //   edge()       the edge `at` of the other blocks, with the accesses and answers of kBases[4], kBases[5] ...
-//   wakes_at()   the next edge that one of them must compute, after the edge `now`
+//   wakes_at()   the next edge that a decoder must compute, after the edge `now`
+//   ik_wakes_at(), ik_irq()   of ik_cordic, if there is one
 #pragma once
 
 #include <algorithm>
@@ -13,6 +14,7 @@
 #include "cosim/logic/logic_spec.hpp"
 #include "cosim/logic/pins.hpp"
 #include "cosim/model/encoder/encoder.hpp"
+#include "cosim/model/ik_cordic/ik_cordic.hpp"
 #include "cosim/model/paper/encoder_switch.hpp"
 #include "cosim/model/paper/pulse_width.hpp"
 #include "cosim/model/pulse_train/pulse_train.hpp"
@@ -29,19 +31,24 @@ struct DecoderInputs {
 class CountsVariant {
  public:
   using Pulses = PulseTrain;
-  static constexpr std::array kBases{regs::soc::kAxiGpioBase, regs::soc::kAxiTimerBase, regs::soc::kAxiUart16550Base,
-                                     regs::soc::kPulseTrainBase, regs::soc::kEncoderBase};
+  static constexpr bool kHasIk = true;
+  static constexpr std::array kBases{regs::soc::kAxiGpioBase,    regs::soc::kAxiTimerBase, regs::soc::kAxiUart16550Base,
+                                     regs::soc::kPulseTrainBase, regs::soc::kEncoderBase,  regs::soc::kIkCordicBase};
 
   void edge(Cycles at, const SocInputs& pins, const DecoderInputs& in, const Strobes* access, Answer* answers) {
     answers[0] = encoder_.edge(at, inputs(pins, in), access[0]);
+    answers[1] = ik_.edge(at, {}, access[1]);
   }
   [[nodiscard]] Cycles wakes_at(Cycles now, const SocInputs& pins, const DecoderInputs& in) const {
     return encoder_.wakes_at(now, inputs(pins, in));
   }
+  [[nodiscard]] Cycles ik_wakes_at() const { return ik_.block().wakes_at(); }
+  [[nodiscard]] bool ik_irq() const { return ik_.block().irq(); }
   void stop_clock_of(ClockGroup group) {
     if (group == ClockGroup::kEncoder) encoder_.stop_gated_clock();
   }
   [[nodiscard]] Slot<Encoder<6>, EncoderInputs>& decoder() { return encoder_; }
+  [[nodiscard]] Slot<IkCordic, IkInputs>& ik() { return ik_; }
   [[nodiscard]] Encoder<6>& encoder() { return encoder_.block(); }
   [[nodiscard]] const Encoder<6>& encoder() const { return encoder_.block(); }
 
@@ -51,11 +58,13 @@ class CountsVariant {
   }
 
   Slot<Encoder<6>, EncoderInputs> encoder_;
+  Slot<IkCordic, IkInputs> ik_;
 };
 
 class PaperVariant {
  public:
   using Pulses = PulseWidth;
+  static constexpr bool kHasIk = false;
   static constexpr std::array kBases{regs::soc::kAxiGpioBase,      regs::soc::kAxiTimerBase,
                                      regs::soc::kAxiUart16550Base, regs::soc::kPulseWidthBase,
                                      regs::soc::kEncoderBase,      regs::soc::kEncoderSwitchBase};
@@ -67,6 +76,8 @@ class PaperVariant {
   [[nodiscard]] Cycles wakes_at(Cycles now, const SocInputs& pins, const DecoderInputs& in) const {
     return std::min(decoder_.wakes_at(now, inputs(in)), switch_.wakes_at(now, lines(pins)));
   }
+  [[nodiscard]] static Cycles ik_wakes_at() { return kNever; }
+  [[nodiscard]] static bool ik_irq() { return false; }
   void stop_clock_of(ClockGroup group) {
     if (group == ClockGroup::kEncoder) decoder_.stop_gated_clock();
     if (group == ClockGroup::kMotion) switch_.stop_gated_clock();

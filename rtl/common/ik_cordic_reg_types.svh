@@ -12,7 +12,7 @@ typedef struct packed {
   logic            ctrl_start;           // Copies the family and all registers from A1 to PREVIOUS, within 26 clocks,
                                          // and solves the pose; ignored while STATUS.busy
   logic            ctrl_five_r;          // Family: 0 six axes (Vo 2021, Table 2), 1 five axes (Hu 2012, Table 1)
-  logic            ctrl_irq;             // Enables the interrupt: irq_o is EVENT.done
+  logic            ctrl_irq;             // Enables the interrupt: the level of its line is EVENT.done, one clock later
   // 0x0C EVENT: Sticky event.
   logic            event_done;           // A pose has been solved
   // 0x20 A1: Length a1.
@@ -40,7 +40,8 @@ typedef struct packed {
 typedef struct packed {
   // 0x08 STATUS: State.
   logic             status_busy;     // A pose is being solved
-  logic             status_done;     // BRANCHES, FLAGS and THETA are those of the last start; 0 while busy
+  logic             status_done;     // BRANCHES, FLAGS and THETA are those of the last start; 0, as they are, while
+                                     // busy
   logic             status_refused;  // A start was ignored since the last one that was not
   // 0x0C EVENT: Sticky event.
   logic             event_done_set;  // event, one cycle; sets the flag

@@ -9,7 +9,7 @@
 module ik_core (
   input  logic              clk_i,
   input  logic              rst_ni,    // synchronous
-  output logic              active_o,  // clock request; 0: the next edge changes no flop
+  output logic              active_o,  // clock request; 0: an edge changes no flop unless a register has just changed
 
   /* verilator tracing_off */
   input  ik_cordic_reg2hw_t reg2hw_i,
@@ -62,7 +62,6 @@ module ik_core (
   logic        [31:0] angle;
   logic        [3:0]  slave;
   assign first    = state_q == Step;
-  assign active_o = reg2hw_i.ctrl_start || state_q != Idle || event_q || multiplying || rooting || turning;
   assign slave    = first && operation == ik_pkg::LoadSlave ? 4'd1 << argument[1:0] : '0;
 
   ik_multiplier u_multiplier (
@@ -83,6 +82,25 @@ module ik_core (
     .vector_i(operation == ik_pkg::Vector), .angle_i(a[31:0]), .busy_o(turning), .done_o(turned),
     .angle_o(angle), .zero_o(zero), .slave_i(argument[2:1]), .y_not_x_i(argument[0]), .coordinate_o(coordinate)
   );
+
+  // One clock after the event, or what enables it.
+  logic interrupt;
+  assign interrupt = reg2hw_i.event_done && reg2hw_i.ctrl_irq;
+
+  // One flop, because a simulator reads it in every clock. What a write changes is used while the bus port of the block
+  // still requests the clock for the response: a start, the interrupt and its enable.
+  logic awake_q;
+  assign active_o = awake_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      irq_o   <= 1'b0;
+      awake_q <= 1'b0;
+    end else begin
+      irq_o   <= interrupt;
+      awake_q <= reg2hw_i.ctrl_start || state_q != Idle || event_q || irq_o != interrupt || multiplying || rooting ||
+                 turning;
+    end
+  end
 
   // The end of a step, and its result.
   logic               long, finished;
@@ -230,7 +248,6 @@ module ik_core (
   assign hw2reg_o.status_refused    = refused_q;
   assign hw2reg_o.event_done_set    = event_q;
   assign hw2reg_o.cycles_value      = cycles_q;
-  assign irq_o                      = reg2hw_i.event_done && reg2hw_i.ctrl_irq;
 
   `ASSERT(EndsInTime, cycles_q < 12'd2500)
   `ASSERT(RootOfNoNegativeWord, !(last && operation == ik_pkg::Root) || !a[47] && !b[47])

@@ -20,7 +20,8 @@ module arm_soc #(
   input  logic        clk_motion_i,   // bit 1: registers of axi_timer, and pulse_train without its pulse generators
   input  logic        clk_encoder_i,  // bit 2: encoder
   input  logic        clk_bus_i,      // bit 3: crossbar
-  output logic [3:0]  active_o,       // clock requests
+  input  logic        clk_ik_i,       // bit 4: ik_cordic; no use in the paper's variant
+  output logic [4:0]  active_o,       // clock requests
 
   // AXI4-Lite slave; addresses: rtl/REGISTERS.md
   input  logic [31:0] s_axi_awaddr_i,
@@ -51,6 +52,7 @@ module arm_soc #(
   localparam int AxiTimer      = soc_map_pkg::AxiTimerPort;
   localparam int AxiUart16550  = soc_map_pkg::AxiUart16550Port;
   localparam int Encoder       = soc_map_pkg::EncoderPort;
+  localparam int IkCordic      = soc_map_pkg::IkCordicPort;
   localparam int EncoderSwitch = soc_map_pkg::EncoderSwitchPort;
   localparam int Pulses        = PaperFabric ? soc_map_pkg::PulseWidthPort : soc_map_pkg::PulseTrainPort;
   localparam int NumBlocks     = PaperFabric ? soc_map_pkg::NumPaperBlocks : soc_map_pkg::NumBlocks;
@@ -96,9 +98,9 @@ module arm_soc #(
     .m_axi_i(rsp)
   );
 
-  logic gpio_active, uart_active, timer_active, pulses_active, encoder_active, switch_active;
+  logic gpio_active, uart_active, timer_active, pulses_active, encoder_active, switch_active, ik_active;
   assign active_o = {
-    bus_active, encoder_active, timer_active || pulses_active || switch_active, gpio_active || uart_active
+    ik_active, bus_active, encoder_active, timer_active || pulses_active || switch_active, gpio_active || uart_active
   };
 
   // Channel 1 drives the tool through pads without a tri-state buffer: a released output is low, and DATA reads
@@ -175,6 +177,11 @@ module arm_soc #(
       .step_o, .dir_o, .servo_on_o, .heartbeat_o
     );
 
+    logic unused_clock;
+    assign unused_clock = clk_ik_i;
+    assign ik_active    = 1'b0;
+    assign irq_o[soc_map_pkg::IkCordicIrq] = 1'b0;
+
     logic selected_a, selected_b, selected_z;
 
     encoder_switch u_encoder_switch (
@@ -232,6 +239,15 @@ module arm_soc #(
       .enc_a_i,
       .enc_b_i,
       .enc_z_i
+    );
+
+    ik_cordic u_ik_cordic (
+      .clk_i          (clk_ik_i),
+      .rst_ni,
+      .active_o       (ik_active),
+      .s_axi_i        (req[IkCordic*AxiLiteReqBits +: AxiLiteReqBits]),
+      .s_axi_o        (rsp[IkCordic*AxiLiteRspBits +: AxiLiteRspBits]),
+      .irq_o          (irq_o[soc_map_pkg::IkCordicIrq])
     );
   end
 

@@ -5,10 +5,10 @@ package soc_map_pkg;
 
   localparam int ClkFreqHz      = 50_000_000;
   localparam int TickCycles     = 2_500;
-  localparam int NumBlocks      = 5;
+  localparam int NumBlocks      = 6;
   localparam int NumPaperBlocks = 6;
   localparam int MaxBlocks      = 6;
-  localparam int NumIrqs        = 3;
+  localparam int NumIrqs        = 4;
 
   // AXI GPIO: 16 outputs and 16 inputs for end-effector tools.
   localparam logic [31:0] AxiGpioBase = 32'h4120_0000;
@@ -41,25 +41,31 @@ package soc_map_pkg;
   localparam logic [31:0] EncoderSwitchBase = 32'h43C3_0000;
   localparam logic [31:0] EncoderSwitchSize = 32'h0001_0000;
 
+  // Inverse kinematics by CORDIC (Hu 2012): all branches of a pose.
+  localparam logic [31:0] IkCordicBase = 32'h43C4_0000;
+  localparam logic [31:0] IkCordicSize = 32'h0001_0000;
+  localparam int          IkCordicIrq  = 3;
+
   // The crossbar port of each block. It is the same in every variant that has the block.
   localparam int AxiGpioPort       = 0;
   localparam int AxiTimerPort      = 1;
   localparam int AxiUart16550Port  = 2;
   localparam int EncoderPort       = 3;
   localparam int PulseTrainPort    = 4;
+  localparam int IkCordicPort      = 5;
   localparam int PulseWidthPort    = 4;
   localparam int EncoderSwitchPort = 5;
 
   // Port i claims an address if (address & Mask) == Base, with word i of both arrays.
   localparam logic [MaxBlocks*32-1:0] XbarBase = {
-    32'h0000_0000,
+    IkCordicBase,
     PulseTrainBase,
     EncoderBase,
     AxiUart16550Base,
     AxiTimerBase,
     AxiGpioBase};
   localparam logic [MaxBlocks*32-1:0] XbarMask = {
-    32'h0000_0000,
+    32'hFFFF_0000,
     32'hFFFF_0000,
     32'hFFFF_0000,
     32'hFFFF_0000,

@@ -9,6 +9,7 @@
 #   0x43C10000  pulse_width (PAPER_FABRIC = 1)
 #   0x43C20000  encoder
 #   0x43C30000  encoder_switch (PAPER_FABRIC = 1)
+#   0x43C40000  ik_cordic (PAPER_FABRIC = 0), irq[3] = interrupt 64
 set here [file dirname [file normalize [info script]]]
 set rtl  [file dirname $here]
 

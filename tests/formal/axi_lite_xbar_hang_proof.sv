@@ -1,4 +1,4 @@
-// The bus watchdog of axi_lite_xbar with the five blocks of arm_soc. Each slave may stop accepting and answering at any
+// The bus watchdog of axi_lite_xbar with the blocks of arm_soc. Each slave may stop accepting and answering at any
 // time, in any order, and come back late. A port that was given up may do anything.
 //
 // The master gets every response in a bounded time. It is the response that the port gave to this request within

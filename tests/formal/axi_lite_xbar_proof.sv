@@ -1,4 +1,4 @@
-// axi_lite_xbar with the five blocks of arm_soc, between any master and any slaves that keep the rules of
+// axi_lite_xbar with the blocks of arm_soc, between any master and any slaves that keep the rules of
 // AXI4-Lite.
 //
 // In addition to the rules on all ports, a request goes once, unchanged, to the port that claims its address and to no

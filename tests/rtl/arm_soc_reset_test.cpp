@@ -50,8 +50,8 @@ class ArmSocReset : public ArmSocTest {
 
   // A random access, or those that start the timer, move the axes, clear the stops or send a character.
   void post() {
-    static constexpr std::uint32_t kBlocks[] = {kGpio, kTimer, kUart, kPulse, kEncoder};
-    const std::uint32_t addr = kBlocks[random_.below(5)] + 4 * random_.below(48);
+    static constexpr std::uint32_t kBlocks[] = {kGpio, kTimer, kUart, kPulse, kEncoder, kIk};
+    const std::uint32_t addr = kBlocks[random_.below(6)] + 4 * random_.below(48);
     const auto data = static_cast<std::uint32_t>(random_.next());
     switch (random_.below(8)) {
       case 0:

@@ -120,6 +120,23 @@ TEST_P(IkCordicRegisters, ShowsEachFlagPerShoulderAndElbow) {
   EXPECT_EQ(regs::extract(read(reg::kThetaOffset + 4), reg::kThetaAngle), static_cast<std::uint32_t>(job.previous2));
 }
 
+TEST_P(IkCordicRegisters, HidesTheResultsUntilTheEnd) {
+  write_job(some_job(false));
+  start(false);
+  wait_for_the_end();
+  const std::uint32_t theta = read(reg::kThetaOffset);
+  EXPECT_NE(theta, 0U);
+  start(false);
+  for (int i = 0; i < 1000; ++i) clock();  // the front shoulder has its branches
+  EXPECT_EQ(read(reg::kBranchesOffset), 0U);
+  EXPECT_EQ(read(reg::kFlagsOffset), 0U);
+  EXPECT_EQ(read(reg::kThetaOffset), 0U);
+  EXPECT_EQ(read(reg::kA2Offset), some_job(false).upper);
+  wait_for_the_end();
+  EXPECT_EQ(read(reg::kBranchesOffset), 0xFFU);
+  EXPECT_EQ(read(reg::kThetaOffset), theta);
+}
+
 TEST_P(IkCordicRegisters, InterruptIsTheEventIfItIsEnabled) {
   write_job(some_job(false));
   start(false, true);

@@ -1,6 +1,6 @@
-"""Synthesises the logic for the XC7Z020 with Yosys and compares the resources with limits.toml.
+"""Synthesises arm_soc for the XC7Z020 with Yosys and compares the resources with limits.toml.
 
-Both variants of arm_soc are synthesised, and the blocks that neither has. For each block the table lists look-up tables, flip-flops, block RAMs
+Both variants of the logic are synthesised. For each block the table lists look-up tables, flip-flops, block RAMs
 (36 kbit) and DSP slices, then the longest combinational path between two flip-flops of the whole design. Synthesis
 keeps the block boundaries, which are all flip-flops, so the rows add up to the total. README.md has the same tables.
 Exit code: 0 within the limits; 1 above a limit, the netlist is not valid, or the README is stale; 2 usage.
@@ -31,14 +31,16 @@ from rtl_list import rtl_sources  # noqa: E402
 
 LIMITS = Path(__file__).resolve().parent / "limits.toml"
 README = Path(__file__).resolve().parent / "README.md"
+TOP = "arm_soc"
 DEVICE = {"lut": 53_200, "ff": 106_400, "bram": 140, "dsp": 220}  # XC7Z020
+VARIANTS = {"counts": 0, "paper": 1}  # PaperFabric
 CLOCK_NS = 20.0
 HEADROOM = 1.05  # ratio of a new limit to the measured value
 HEADROOM_LEVELS = 2  # the mapper depends on the names of signals: a pure renaming changes the longest path this much
 
 SCRIPT = """
 read_verilog -sv -I{rtl}/common {sources}
-{parameters}
+chparam -set PaperFabric {paper} {top}
 hierarchy -check -top {top}
 {keep}
 synth_xilinx -family xc7 -flatten -noiopad -noclkbuf -top {top}
@@ -54,47 +56,29 @@ class Failure(Exception):
     pass
 
 
-@dataclass(frozen=True)
-class Design:
-    top: str
-    source: str  # of the top, below rtl/
-    parameters: str = ""  # command of Yosys that sets them
-
-
-DESIGNS = {
-    "counts": Design("arm_soc", "soc/arm_soc.sv", "chparam -set PaperFabric 0 arm_soc"),
-    "paper": Design("arm_soc", "soc/arm_soc.sv", "chparam -set PaperFabric 1 arm_soc"),
-    "ik_cordic": Design("ik_cordic", "ik_cordic/ik_cordic.sv"),
-}
-
-
 @dataclass
 class Result:
-    blocks: dict[str, dict[str, float]]  # resources by block in order of rtl.f; the top: the wiring between blocks
+    blocks: dict[str, dict[str, float]]  # resources by block in order of rtl.f; TOP: the wiring between blocks
     total: dict[str, float]
     path: LogicPath
 
 
-def block_names(design: Design) -> list[str]:
-    """Modules that the top instantiates."""
-    modules = {Path(source).stem for source in rtl_sources(ROOT)} - {design.top}
-    text = (ROOT / "rtl" / design.source).read_text()
+def block_names() -> list[str]:
+    """Modules that arm_soc instantiates."""
+    modules = {Path(source).stem for source in rtl_sources(ROOT)} - {TOP}
+    text = (ROOT / "rtl/soc/arm_soc.sv").read_text()
     return [name for name in dict.fromkeys(re.findall(r"^ +(\w+) (?:#\(|u_)", text, re.MULTILINE)) if name in modules]
 
 
 def synthesise(variant: str, folder: Path) -> Result:
     folder.mkdir(parents=True, exist_ok=True)
-    design = DESIGNS[variant]
-    top = design.top
-    blocks = block_names(design)
+    blocks = block_names()
     # Yosys names a module with parameters $paramod...\name or $paramod\name\parameters.
     keep = "\n".join(f"setattr -mod -set keep_hierarchy 1 {name} *\\{name} *\\{name}\\*" for name in blocks)
     script = folder / "synth.ys"
     sources = " ".join(f"{ROOT}/rtl/{source}" for source in rtl_sources(ROOT))
     script.write_text(
-        SCRIPT.format(
-            rtl=ROOT / "rtl", sources=sources, parameters=design.parameters, keep=keep, top=top, folder=folder
-        )
+        SCRIPT.format(rtl=ROOT / "rtl", sources=sources, paper=VARIANTS[variant], keep=keep, top=TOP, folder=folder)
     )
     run = subprocess.run(
         ["yosys", "-q", "-e", "implicitly declared", "-l", str(folder / "yosys.log"), str(script)],
@@ -117,10 +101,10 @@ def synthesise(variant: str, folder: Path) -> Result:
         if plain in by_block:
             raise Failure(f"{variant}: two variants of module {plain}")
         by_block[plain] = cell_counts(module, set(modules))
-    order = [name for name in [*blocks, top] if name in by_block]
+    order = [name for name in [*blocks, TOP] if name in by_block]
     if set(order) != set(by_block):
-        raise Failure(f"{variant}: not blocks of {top}: {set(by_block) - set(order)}")
-    flat = json.loads((folder / "flat.json").read_text())["modules"][top]
+        raise Failure(f"{variant}: not blocks of {TOP}: {set(by_block) - set(order)}")
+    flat = json.loads((folder / "flat.json").read_text())["modules"][TOP]
     total = sum(by_block.values(), Counter())
     of_flat = cell_counts(flat, set())
     if any(total[kind] != count for kind, count in of_flat.items() if kind != "INV"):
@@ -215,16 +199,16 @@ def main() -> int:
     parser = argparse.ArgumentParser(
         prog="synth", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    parser.add_argument("variants", nargs="*", metavar="VARIANT", help=f"one of {', '.join(DESIGNS)}; default: all")
+    parser.add_argument("variants", nargs="*", metavar="VARIANT", help=f"one of {', '.join(VARIANTS)}; default: all")
     parser.add_argument("--set-limits", action="store_true", help="write limits.toml from the measured values")
     parser.add_argument("--write", action="store_true", help="write the tables in README.md")
     parser.add_argument("--check", action="store_true", help="fail if a table in README.md is stale")
     parser.add_argument("--path", action="store_true", help="print every cell of the longest path")
     parser.add_argument("--keep", type=Path, help="folder for netlists and logs; by default they are deleted")
     args = parser.parse_args()
-    if set(args.variants) - set(DESIGNS) or (args.set_limits and args.variants):
-        parser.error(f"variants are {', '.join(DESIGNS)}; --set-limits is for all of them")
-    variants = args.variants or list(DESIGNS)
+    if set(args.variants) - set(VARIANTS) or (args.set_limits and args.variants):
+        parser.error(f"variants are {' and '.join(VARIANTS)}; --set-limits is for all of them")
+    variants = args.variants or list(VARIANTS)
     with tempfile.TemporaryDirectory(prefix="synth.") as folder:
         keep = args.keep.resolve() if args.keep else Path(folder)
         try:

@@ -17,6 +17,22 @@ constexpr Clocks kClocksOfSix{199, 17, 521}, kClocksOfFive{275, 17, 213};
 
 constexpr int kFarBits = 31;  // of a length below 64 units, with its sign: both links together are shorter
 
+// The angles of flip - from those of flip +, in every branch.
+void flip_all(Solved& solved) {
+  const auto opposite = [](std::int32_t of, std::int64_t sign, std::int64_t turn) {
+    return static_cast<std::int32_t>(angle(sign * of + turn));
+  };
+  for (std::size_t branch = 0; branch < kBranches; branch += 2) {
+    const auto& plus = solved.theta[branch];
+    solved.theta[branch + 1] = {plus[0],
+                                plus[1],
+                                plus[2],
+                                opposite(plus[3], 1, kHalfTurn),
+                                opposite(plus[4], -1, 0),
+                                opposite(plus[5], 1, kHalfTurn)};
+  }
+}
+
 class Solver {
  public:
   explicit Solver(const Job& job) : job_{job}, clocks_{job.five_r ? kClocksOfFive : kClocksOfSix} {}
@@ -29,7 +45,7 @@ class Solver {
     solve_shoulder(0);
     turn_to_the_back();
     solve_shoulder(1);
-    flip_all();
+    flip_all(solved_);
     solved_.clocks += clocks_.each;
     solved_.exceeded = widths_.exceeded();
     return solved_;
@@ -174,21 +190,6 @@ class Solver {
     solved_.valid = static_cast<std::uint8_t>(solved_.valid | (both ? 3 : 1) << 2 * posture);
   }
 
-  void flip_all() {
-    const auto opposite = [](std::int32_t of, std::int64_t sign, std::int64_t turn) {
-      return static_cast<std::int32_t>(angle(sign * of + turn));
-    };
-    for (std::size_t branch = 0; branch < kBranches; branch += 2) {
-      const auto& plus = solved_.theta[branch];
-      solved_.theta[branch + 1] = {plus[0],
-                                   plus[1],
-                                   plus[2],
-                                   opposite(plus[3], 1, kHalfTurn),
-                                   opposite(plus[4], -1, 0),
-                                   opposite(plus[5], 1, kHalfTurn)};
-    }
-  }
-
   const Job& job_;
   Clocks clocks_;
   Widths widths_;
@@ -207,6 +208,12 @@ class Solver {
 
 Solved solve(const Job& job) {
   return Solver{job}.solve();
+}
+
+Solved unsolved() {
+  Solved solved;
+  flip_all(solved);
+  return solved;
 }
 
 }  // namespace armature::cosim::model::ik

@@ -42,4 +42,7 @@ struct Solved {
 
 [[nodiscard]] Solved solve(const Job& job);
 
+// What the block has before its first run.
+[[nodiscard]] Solved unsolved();
+
 }  // namespace armature::cosim::model::ik

@@ -82,6 +82,7 @@ class Surroundings {
     const std::uint32_t base = bases_[random_.below(static_cast<std::uint32_t>(bases_.size()))];
     if (random_.below(200) == 0) return static_cast<std::uint32_t>(random_.next());
     if (base == regs::soc::kAxiUart16550Base) return base + 0x1000 + 4 * random_.below(9);
+    if (base == regs::soc::kIkCordicBase && random_.below(2) == 0) return base + 4 * random_.below(8);
     if (base == regs::soc::kAxiGpioBase && random_.below(2) == 0) return base + 0x11C + 4 * random_.below(4);
     return base + 4 * random_.below(base == regs::soc::kAxiTimerBase ? 8 : 0x38);
   }

@@ -34,7 +34,7 @@ function(add_model_mutant NAME NUMBER BLOCK KILLED_BY)
   set_tests_properties(model_mutant.${NAME} PROPERTIES LABELS "mutant;gate:model_mutants.${BLOCK}")
 endfunction()
 
-foreach(block bus_port timer gpio uart encoder pulse_train pulse_width)
+foreach(block bus_port timer gpio uart encoder pulse_train pulse_width ik_cordic)
   include(model/${block}.cmake)
 endforeach()
 include(${woven_models}/mutants.cmake)
