@@ -4,10 +4,10 @@
 
 namespace armature {
 
-SourceSelector::SourceSelector(const RobotModel& robot, const Arm& arm, const Transform& flange_T_tool,
-                               Channel& channel, EventListener& events, LogicPort& logic,
-                               const ConveyorConfig* conveyor, BeltEncoder* encoder) noexcept
-    : channel_{channel}, own_{robot, arm, flange_T_tool, channel, events, logic, conveyor, encoder} {
+SourceSelector::SourceSelector(const RobotModel& robot, const Arm& path_arm, const Arm& arm,
+                               const Transform& flange_T_tool, Channel& channel, EventListener& events,
+                               LogicPort& logic, const ConveyorConfig* conveyor, BeltEncoder* encoder) noexcept
+    : channel_{channel}, own_{robot, path_arm, arm, flange_T_tool, channel, events, logic, conveyor, encoder} {
   last_ = &own_.plans.set_point();
 }
 

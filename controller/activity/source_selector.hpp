@@ -20,9 +20,9 @@ namespace armature {
 
 class SourceSelector final : public SetPointSource {
  public:
-  // References must outlive the selector. `conveyor` and its encoder: none without a conveyor.
-  SourceSelector(const RobotModel& robot, const Arm& arm, const Transform& flange_T_tool, Channel& channel,
-                 EventListener& events, LogicPort& logic, const ConveyorConfig* conveyor = nullptr,
+  // References must outlive the selector. The arms: see Sources. `conveyor` and its encoder: none without a conveyor.
+  SourceSelector(const RobotModel& robot, const Arm& path_arm, const Arm& arm, const Transform& flange_T_tool,
+                 Channel& channel, EventListener& events, LogicPort& logic, const ConveyorConfig* conveyor = nullptr,
                  BeltEncoder* encoder = nullptr) noexcept;
   SourceSelector(const SourceSelector&) = delete;
   SourceSelector& operator=(const SourceSelector&) = delete;

@@ -21,10 +21,12 @@
 namespace armature {
 
 struct Sources {
-  // References must outlive the object. `belt` and its encoder: none without a conveyor.
-  Sources(const RobotModel& robot, const Arm& arm, const Transform& flange_T_tool, Channel& channel,
-          EventListener& events, LogicPort& logic, const ConveyorConfig* belt, BeltEncoder* encoder) noexcept
-      : plans{robot, arm, channel, events},
+  // References must outlive the object. `path_arm`: solves the poses of planned paths; `arm`: all others. `belt` and
+  // its encoder: none without a conveyor.
+  Sources(const RobotModel& robot, const Arm& path_arm, const Arm& arm, const Transform& flange_T_tool,
+          Channel& channel, EventListener& events, LogicPort& logic, const ConveyorConfig* belt,
+          BeltEncoder* encoder) noexcept
+      : plans{robot, path_arm, channel, events},
         jog{robot, arm, flange_T_tool, events},
         stream{robot, events},
         homing{robot, logic, events} {

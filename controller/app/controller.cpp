@@ -5,6 +5,7 @@
 #include "controller/activity/source_selector.hpp"
 #include "controller/app/core0_reporter.hpp"
 #include "controller/language/gcode/flow/canon_interpreter.hpp"
+#include "controller/motion/cordic_solver.hpp"
 #include "controller/motion/count_logic_port.hpp"
 #include "controller/motion/motion_loop.hpp"
 #include "controller/motion/paper_logic_port.hpp"
@@ -15,7 +16,7 @@ namespace armature {
 // runs. So the objects on it must own nothing.
 static_assert(std::is_trivially_destructible_v<MotionLoop> && std::is_trivially_destructible_v<CountLogicPort> &&
               std::is_trivially_destructible_v<PaperLogicPort> && std::is_trivially_destructible_v<SourceSelector> &&
-              std::is_trivially_destructible_v<Core0Reporter>);
+              std::is_trivially_destructible_v<Core0Reporter> && std::is_trivially_destructible_v<CordicSolver>);
 
 static_assert(MoveQueue::kMoves <= host_memory::kMaxWaitingMoves, "the bound of the ring of core 1's events");
 static_assert(gcode::CanonInterpreter::kMaxCallsPerStep + 2 <= host_memory::kMaxProgramNotes, "the same");
@@ -75,16 +76,26 @@ void Controller::load_program() noexcept {
 
 void Controller::core0_main(RegisterBus& bus, InverseSolver* solver) noexcept {
   if (!boot_.good()) return sleep_for_ever(bus);
-  core0_arm_.solve_with(solver);
   const RobotModel& robot = boot_.robot();
   const ControllerConfig& config = boot_.config();
+  core0_arm_.solve_with(solver);
+  // Velocities of jogs and of a belt are differences of joint angles, for which the block has too few digits.
+  Arm path_arm = core0_arm_;
+  std::optional<CordicSolver> cordic;
+  if (config.cordic && path_arm.known()) {
+    cordic.emplace(bus, robot);
+    cordic->start();
+    path_arm.solve_with(&*cordic);
+  }
+  InverseCheck* check = cordic ? &cordic->check() : nullptr;
   Core0Reporter reporter{core0_writer_, channel_, bus};
   const ConveyorConfig* conveyor = planning_.conveyor ? &*planning_.conveyor : nullptr;
   const auto run_on = [&](LogicPort& logic) {
     if (pendant_) logic.keep_drives_off();
-    SourceSelector source{robot, core0_arm_, planning_.flange_T_tool, channel_, reporter, logic, conveyor, &belt_};
+    SourceSelector source{robot, path_arm, core0_arm_, planning_.flange_T_tool, channel_, reporter,
+                          logic, conveyor, &belt_};
     const bool feedback = config.feedback && !config.paper;
-    MotionLoop{robot, feedback, logic, bus, channel_.loop, source, reporter, config.referenced}.run();
+    MotionLoop{robot, feedback, logic, bus, channel_.loop, source, reporter, config.referenced, check}.run();
   };
   if (config.paper) {
     PaperLogicPort logic{bus, *config.paper};

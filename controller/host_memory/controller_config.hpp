@@ -35,16 +35,19 @@ struct ControllerConfig {
   std::optional<Ticks> program_start{Ticks{}};
   std::optional<Ticks> program_resumes_after{};  // time after which a pause of the program ends; none: an order ends it
   bool referenced = true;  // the joint angles are 0 at the start; false: they are not known before Home
+  // The set-points of paths are solved by ik_cordic; for robots with an arm, and not with `paper`.
+  bool cordic = false;
 
   [[nodiscard]] const void* misfit() const noexcept {
     constexpr Ticks kStart{};
     return first_misfit({{&max_stretch, max_stretch >= 1.0 && is_finite(max_stretch)},
                          {&gcode, is_known(gcode.frame, base_T_user)},
+                         {&cordic, !cordic || !paper},
                          {&program_start, program_start.value_or(kStart) >= kStart},
                          {&program_resumes_after, program_resumes_after.value_or(kStart) >= kStart}});
   }
   ARMATURE_MEMBERS(ControllerConfig, sync, feedback, paper, flange_T_tool, base_T_user, max_stretch, pendant, conveyor,
-                   job, gcode, program_start, program_resumes_after, referenced)
+                   job, gcode, program_start, program_resumes_after, referenced, cordic)
 };
 
 }  // namespace armature

@@ -19,6 +19,7 @@ enum class FaultCause : std::uint8_t {
   kHardwareId,   // a block of the logic is not the one that this software supports
   kDrivesOff,    // no fault of the arm: a SwitchOff, or the controller starts with its drives off
   kClock,        // no trigger came for 1.5 ticks: the clock of the logic or its timer stood still
+  kInverseKinematics,  // the logic solved a pose, and its joint angles are not those of the software
 };
 
 struct Faulted {

@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cassert>
+#include <utility>
 
 #include "controller/base/timebase.hpp"
 #include "controller/drivers/axi_gpio.hpp"
@@ -22,7 +23,8 @@ std::uint8_t first_axis(std::uint8_t mask) {
 }  // namespace
 
 MotionLoop::MotionLoop(const RobotModel& robot, bool feedback, LogicPort& logic, RegisterBus& bus, LoopChannel& channel,
-                       SetPointSource& source, ControllerObserver& observer, bool referenced) noexcept
+                       SetPointSource& source, ControllerObserver& observer, bool referenced,
+                       InverseCheck* inverse) noexcept
     : robot_{robot},
       bus_{bus},
       channel_{channel},
@@ -32,6 +34,7 @@ MotionLoop::MotionLoop(const RobotModel& robot, bool feedback, LogicPort& logic,
         return AxisControl{robot.axes[axis], feedback};
       })},
       source_{source},
+      inverse_{inverse},
       referenced_{referenced ? PulseTrain::kAllAxes : std::uint8_t{0}} {}
 
 void MotionLoop::run() noexcept {
@@ -46,7 +49,7 @@ void MotionLoop::run() noexcept {
 }
 
 void MotionLoop::start() noexcept {
-  if (!logic_.identified()) {
+  if (!logic_.identified() || (inverse_ != nullptr && !inverse_->usable)) {
     // The trigger is never started, so the core sleeps for good.
     telemetry_.state = MotionState::kFault;
     telemetry_.fault = FaultCause::kHardwareId;
@@ -107,6 +110,7 @@ MotionLoop::Finding MotionLoop::find_fault(const LogicInput& input) const noexce
   if (input.status.estop) return {FaultCause::kEstop};
   if (input.status.watchdog) return {FaultCause::kWatchdog};
   if (trigger_late_) return {FaultCause::kClock};
+  if (inverse_ != nullptr && inverse_->differs) return {FaultCause::kInverseKinematics, inverse_->differing_axis};
   if (input.drives.alarm != 0) return {FaultCause::kDriveAlarm, first_axis(input.drives.alarm)};
   if (input.encoder_faults.any()) {
     return {FaultCause::kEncoder, first_axis(input.encoder_faults.illegal | input.encoder_faults.index)};
@@ -143,7 +147,8 @@ void MotionLoop::follow_source(const LogicInput& input) noexcept {
   }
   bus_.charge(Work::kTick);
   if (next.planned) bus_.charge(Work::kRetarget);
-  if (next.inverses > 0) bus_.charge(Work::kInverse, next.inverses);
+  const std::int64_t charged = inverse_ != nullptr ? std::exchange(inverse_->charged, 0) : 0;
+  if (next.inverses > charged) bus_.charge(Work::kInverse, next.inverses - charged);
   logic_.commit(counts);
   emission_.committed(counts, logic_.sequence());
 }
@@ -184,6 +189,7 @@ void MotionLoop::tick_in_fault(const LogicInput& input) noexcept {
     if (!ended) answer(Answer::Kind::kFaultPersists);
   } else if (source_.take_order() == SetPointSource::Order::kClearFault) {
     logic_.clear_faults();
+    if (inverse_ != nullptr) inverse_->differs = false;
     clearing_ = true;
   }
   source_.cancel(telemetry_.tick);
@@ -254,6 +260,10 @@ void MotionLoop::update_telemetry(const LogicInput& input) noexcept {
   telemetry_.underruns = input.underruns;
   telemetry_.rate = telemetry_.state == MotionState::kFault ? 0.0 : source_.last().rate;
   telemetry_.encoder = input.encoder;
+  if (inverse_ != nullptr) {
+    telemetry_.solved_poses = inverse_->solved;
+    telemetry_.solver_difference_pulses = inverse_->difference_pulses;
+  }
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const AxisControl& control = axes_[axis];
     telemetry_.reference[axis] = control.reference();

@@ -22,6 +22,7 @@
 #include "controller/motion/axis_control.hpp"
 #include "controller/motion/controller_observer.hpp"
 #include "controller/motion/emission.hpp"
+#include "controller/motion/inverse_check.hpp"
 #include "controller/motion/logic_port.hpp"
 #include "controller/motion/loop_channel.hpp"
 #include "controller/motion/set_point_source.hpp"
@@ -33,9 +34,10 @@ class MotionLoop {
  public:
   // References must outlive the loop; `logic` is on `bus`. `feedback`: encoder feedback corrects the commanded pulses;
   // it requires that every encoder is always counted. `referenced`: the joint angles are 0 at the start; otherwise they
-  // are not known.
+  // are not known. `inverse`: what the solver of `source` has done, if it is not software.
   MotionLoop(const RobotModel& robot, bool feedback, LogicPort& logic, RegisterBus& bus, LoopChannel& channel,
-             SetPointSource& source, ControllerObserver& observer, bool referenced = true) noexcept;
+             SetPointSource& source, ControllerObserver& observer, bool referenced = true,
+             InverseCheck* inverse = nullptr) noexcept;
   MotionLoop(const MotionLoop&) = delete;
   MotionLoop& operator=(const MotionLoop&) = delete;
 
@@ -76,6 +78,7 @@ class MotionLoop {
   PerAxis<AxisControl> axes_;
   Emission emission_;
   SetPointSource& source_;
+  InverseCheck* inverse_;
   Telemetry telemetry_{};
   std::uint8_t referenced_;    // mask of axes whose joint angles are known
   bool trigger_late_ = false;  // the core waited longer than kLongestWait for the present tick

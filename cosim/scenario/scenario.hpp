@@ -38,6 +38,15 @@ struct ControllerSpec {
   double max_stretch = PlanningConfig{}.max_stretch;  // the planner's own default
 };
 
+// [kinematics]
+enum class SetPointSolver : std::uint8_t {
+  kSoftware,
+  kCordic,  // the block ik_cordic of the logic
+};
+struct SolverSpec {
+  SetPointSolver solver = SetPointSolver::kSoftware;
+};
+
 struct TraceSpec {
   std::int64_t every_ticks = 20;  // 1 = full rate 20 kHz
   std::optional<bool> tcp;        // columns of the tool centre point; none: when a move is given as a pose
@@ -100,6 +109,8 @@ struct ExpectSpec {
   std::optional<double> max_stream_deviation_deg;         // commanded joints from the streams, any axis
   std::optional<std::vector<std::string>> conveyor_ends;  // why each following of a part ended (PartEnd)
   std::optional<std::int64_t> missed_parts;
+  std::optional<std::int64_t> min_solved_poses;         // set-points whose joint angles the logic has solved
+  std::optional<double> max_solver_difference_pulses;   // their largest difference from software, any axis
   std::optional<double> max_tracking_error_mm;          // encoder side: tool from its path on the part
   std::optional<double> max_command_tracking_error_mm;  // the same of the set-points
   // All changes of the tool's outputs, in their order; each within a tick of its time.
@@ -137,6 +148,7 @@ struct Scenario {
   Engine engine = Engine::kRtl;
   PaperSpec paper;  // with Variant::kPaper
   ControllerSpec controller;
+  SolverSpec kinematics;
   CpuSpec cpu;
   BusSpec bus;
   TraceSpec trace;

@@ -160,6 +160,7 @@ ControllerConfig to_controller_config(const Scenario& scenario) {
         .paper_logic = scenario.variant == Variant::kPaper};
   }
   config.max_stretch = controller.max_stretch;
+  config.cordic = scenario.kinematics.solver == SetPointSolver::kCordic;
   config.referenced = !scenario.unreferenced_start_deg;
   config.flange_T_tool = to_transform(scenario.tool);
   config.base_T_user = to_user_frames(scenario.frames);

@@ -129,6 +129,15 @@ std::vector<Fact> make_list() {
      .expectations = {at_most<&E::max_command_tracking_error_mm>("max_command_tracking_error_mm")},
      .in_words = deviation_text<&F::command_tracking_error>, .where = deviation_where<&F::command_tracking_error>},
 
+    {.name = "solved_poses", .unit = "",
+     .meaning = "Set-points whose joint angles are those of the block `ik_cordic`, see `[kinematics]` in [KEYS.md](KEYS.md)",
+     .value = measured<&F::solved_poses>, .screen = {"poses by ik_cordic", 0, true},
+     .expectations = {at_least<&E::min_solved_poses>("min_solved_poses")}},
+    {.name = "solver_difference_pulses", .unit = "pulses",
+     .meaning = "Largest difference of such a joint angle from software, of any axis",
+     .value = measured<&F::solver_difference_pulses>, .screen = {"  from software", 4, true},
+     .expectations = {at_most<&E::max_solver_difference_pulses>("max_solver_difference_pulses")}},
+
     // ---- faults
     {.name = "underruns", .unit = "", .meaning = "Ticks whose pulse counts came too late for the logic",
      .value = measured<&F::underruns>, .screen = {"underruns"},

@@ -110,6 +110,8 @@ struct RunFacts {
 
   std::vector<std::string> conveyor_ends;  // PartEnd: why each following of a part ended, in the order of time
   std::int64_t missed_parts = 0;
+  std::int64_t solved_poses = 0;                        // by the logic
+  double solver_difference_pulses = 0;                  // largest, of their joint angles from software
   std::optional<PathDeviation> tracking_error;          // of the encoders
   std::optional<PathDeviation> command_tracking_error;  // of the set-points
 

@@ -44,6 +44,8 @@ void RunFactsCollector::add(const TraceRow& row) {
     facts_.first_underrun_at = here;
   }
   facts_.underruns = row.telemetry.underruns;
+  facts_.solved_poses = row.telemetry.solved_poses;
+  facts_.solver_difference_pulses = row.telemetry.solver_difference_pulses;
   if (row.tick > 0) add_instructions(row);  // the first one ends the start-up
   facts_.last_trigger_at = here;
   if (!facts_.first_trigger_at) facts_.first_trigger_at = here;

@@ -178,6 +178,11 @@ const KeyTable<ExpectSpec>& expect_keys() {
                   "Why the arm stopped following each part, in the order of time. `released`: the next move is in "
                   "another frame. `window`: the part left the window. `too_fast`: the belt was too fast. "
                   "`cannot_follow`: the joints could not follow. `stopped`: by a stop or a hold."),
+              key("min_solved_poses", &ExpectSpec::min_solved_poses, count(),
+                  "Least number of set-points whose joint angles are those of the block `ik_cordic`, see "
+                  "`[kinematics]`."),
+              key("max_solver_difference_pulses", &ExpectSpec::max_solver_difference_pulses, at_least(0, "pulses"),
+                  "Largest allowed difference of such a joint angle from software."),
               key("missed_parts", &ExpectSpec::missed_parts, count(),
                   "Number of parts that had passed the window before a move waited for them."),
               key("max_tracking_error_mm", &ExpectSpec::max_tracking_error_mm, distance(),

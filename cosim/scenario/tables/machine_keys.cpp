@@ -16,6 +16,11 @@ std::string check_feedback(const ControllerSpec& controller, const KeyContext& c
   return "expected false with variant = \"paper\", whose decoder sees one encoder, found true";
 }
 
+std::string check_solver(const SolverSpec& kinematics, const KeyContext& context) {
+  if (context.scenario->variant != Variant::kPaper || kinematics.solver == SetPointSolver::kSoftware) return {};
+  return "expected \"software\" with variant = \"paper\", which has no block ik_cordic, found \"cordic\"";
+}
+
 std::string check_encoder_axis(const PaperSpec& paper, const KeyContext& context) {
   const std::size_t axes = context.robot.axis_count();
   if (axes == 0 || paper.encoder_axis <= static_cast<std::int64_t>(axes)) return {};
@@ -60,6 +65,21 @@ const KeyTable<ControllerSpec>& controller_keys() {
           key("max_stretch", &ControllerSpec::max_stretch, between(1, kMaxStretch),
               "Largest factor by which the controller slows a path down to keep the limits of the joints. It refuses a "
               "path that needs more."),
+      }};
+  return kTable;
+}
+
+const KeyTable<SolverSpec>& solver_keys() {
+  static const KeyTable<SolverSpec> kTable{
+      .text = "The inverse kinematics of core 0, which computes the set-points of planned paths.",
+      .keys = {
+          named_key("solver", &SolverSpec::solver,
+                    "What solves the pose of each set-point. `software`: the controller. `cordic`: the block "
+                    "`ik_cordic` of the logic, which takes 25 us of the tick of 50 us. The controller then solves each "
+                    "pose, too: if a joint angle differs by more than the block states, the arm stops with the fault "
+                    "`inverse_kinematics`. Near a singularity, where the block states no error, the angles are those "
+                    "of the software, as they are for jogs and a conveyor. `cordic` is not for `variant = \"paper\"`.")
+              .checked(check_solver),
       }};
   return kTable;
 }

@@ -104,6 +104,7 @@ const KeyTable<Scenario>& scenario_keys() {
       .tables = {
           table("paper", &Scenario::paper, paper_keys()).needing(Needs::kPaper),
           table("controller", &Scenario::controller, controller_keys()),
+          table("kinematics", &Scenario::kinematics, solver_keys()).needing(Needs::kKinematics),
           table("cpu", &Scenario::cpu, cpu_keys()),
           table("bus", &Scenario::bus, bus_keys()),
           table("trace", &Scenario::trace, trace_keys()),

@@ -10,6 +10,7 @@ namespace armature::cosim {
 
 [[nodiscard]] const KeyTable<Scenario>& scenario_keys();  // the whole file
 [[nodiscard]] const KeyTable<ControllerSpec>& controller_keys();
+[[nodiscard]] const KeyTable<SolverSpec>& solver_keys();
 [[nodiscard]] const KeyTable<CpuSpec>& cpu_keys();
 [[nodiscard]] const KeyTable<BusSpec>& bus_keys();
 [[nodiscard]] const KeyTable<PaperSpec>& paper_keys();

@@ -196,6 +196,7 @@ TEST(Boot, AValueThatIsNotAllowedIsNamed) {
       {[](ControllerConfig& config) { config.flange_T_tool.rotation *= 2.0; }, "flange_T_tool.rotation"},
       {[](ControllerConfig& config) { config.base_T_user[1]->position_mm.y() = kNan; }, "base_T_user.1.position_mm"},
       {[](ControllerConfig& config) { config.max_stretch = 0.5; }, "max_stretch"},
+      {[](ControllerConfig& config) { config.cordic = true; }, "cordic"},  // not with `paper`
       {[](ControllerConfig& config) { config.conveyor->to_mm = -1.0; }, "conveyor.to_mm"},
       {[](ControllerConfig& config) { config.conveyor->direction.x() = 1.0; }, "conveyor.direction"},
       {[](ControllerConfig& config) { config.job.device_pin[1] = 17; }, "job.device_pin"},

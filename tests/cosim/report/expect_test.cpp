@@ -45,6 +45,8 @@ RunFacts good_run() {
   facts.max_residual_pulses = 5;
   facts.lost_counts = {0, -8, 0, 0, 0, 0};
   facts.settle_s = 0.02;
+  facts.solved_poses = 100;
+  facts.solver_difference_pulses = 0.5;
   facts.homings = {
       {.started = {.axis = 1}, .ended = HomingEnded{.axis = 1, .how = HomingEnd::kNoIndex, .tick = Ticks{9}}},
       {.started = {.axis = 2}, .ended = HomingEnded{.axis = 2, .tick = Ticks{7}}}};
@@ -92,6 +94,8 @@ ExpectSpec all_of_it() {
   expect.max_residual_deg = 0.6;
   expect.min_stretch = 4;
   expect.max_stretch = 4;
+  expect.min_solved_poses = 100;
+  expect.max_solver_difference_pulses = 0.5;
   expect.homing_ends = {{"homed", "no_index"}};
   expect.faults = std::vector<std::string>{};
   expect.settled_within_s = 0.02;
@@ -187,6 +191,9 @@ TEST(Expect, EachKeyFailsForItselfAndSaysWhatItGot) {
        "expect.final_tcp_mm: expected [100, 200, 300.01] +-0.01, got not measured"},
       {[](RunFacts& f) { f.moves[1].stretch = 3.99; }, "expect.min_stretch: expected at least 4, got 3.99"},
       {[](RunFacts& f) { f.moves[1].stretch = 4.01; }, "expect.max_stretch: expected at most 4, got 4.01"},
+      {[](RunFacts& f) { f.solved_poses = 99; }, "expect.min_solved_poses: expected at least 100, got 99"},
+      {[](RunFacts& f) { f.solver_difference_pulses = 0.51; },
+       "expect.max_solver_difference_pulses: expected at most 0.5 pulses, got 0.51 pulses"},
       {[](RunFacts& f) { f.moves[1].residual_rad = 0.008; },
        "expect.min_residual_deg: expected at least 0.5 deg, got 0.458366 deg"},
       {[](RunFacts& f) { f.moves[0].residual_rad = 0.011; },

@@ -49,6 +49,8 @@ final_rpy_deg = [4, -5, 6]
 rpy_tolerance_deg = 0.0625
 min_stretch = 2
 max_stretch = 3
+min_solved_poses = 7
+max_solver_difference_pulses = 0.125
 min_residual_deg = 0.5
 max_residual_deg = 2
 settled_within_s = 0.1
@@ -94,6 +96,8 @@ TEST(ScenarioExpect, ReadsEveryKey) {
   EXPECT_EQ(e.rpy_tolerance_deg, 0.0625);
   EXPECT_EQ(e.min_stretch, 2);
   EXPECT_EQ(e.max_stretch, 3);
+  EXPECT_EQ(e.min_solved_poses, 7);
+  EXPECT_EQ(e.max_solver_difference_pulses, 0.125);
   EXPECT_EQ(e.min_residual_deg, 0.5);
   EXPECT_EQ(e.max_residual_deg, 2);
   EXPECT_EQ(e.settled_within_s, 0.1);

@@ -22,6 +22,8 @@ seed = 42
 sync = "time_scale"
 feedback = false
 max_stretch = 50
+[kinematics]
+solver = "cordic"
 [cpu]
 interrupt_entry_cycles = 1
 tick_compute_cycles = 2
@@ -84,6 +86,7 @@ TEST(ScenarioLoader, ReadsEveryTableButMovesToPosesAndExpectations) {
   EXPECT_EQ(s.trace.every_ticks, 7);
   EXPECT_EQ(s.trace.tcp, false);
   EXPECT_EQ(s.controller.max_stretch, 50);
+  EXPECT_EQ(s.kinematics.solver, SetPointSolver::kCordic);
   EXPECT_EQ(s.cpu.inverse_compute_cycles, 8);
   EXPECT_EQ(s.cpu.program_step_compute_cycles, 9);
 
@@ -92,7 +95,7 @@ TEST(ScenarioLoader, ReadsEveryTableButMovesToPosesAndExpectations) {
   EXPECT_EQ(s.moves[0].at_s, 0.5);
   EXPECT_THAT(joint.target_deg.value(), ElementsAre(1, -2, 3.5, 4, 5, 6));
   EXPECT_EQ(joint.speed_percent, 50);
-  EXPECT_EQ(s.moves[0].line, 26);
+  EXPECT_EQ(s.moves[0].line, 28);
   EXPECT_TRUE(std::holds_alternative<StopSpec>(s.moves[1].kind));
   EXPECT_TRUE(std::holds_alternative<ClearFaultSpec>(s.moves[2].kind));
 

@@ -62,6 +62,13 @@ TEST(ToController, NamesEverySynchronisationRule) {
   EXPECT_EQ(config_of({.max_stretch = 7.5}).max_stretch, 7.5);
 }
 
+TEST(ToController, TellsWhatSolvesTheSetPoints) {
+  Scenario scenario;
+  EXPECT_FALSE(to_controller_config(scenario).cordic);
+  scenario.kinematics.solver = SetPointSolver::kCordic;
+  EXPECT_TRUE(to_controller_config(scenario).cordic);
+}
+
 TEST(ToController, TellsWhatTheOneDecoderWatches) {
   Scenario scenario;
   EXPECT_FALSE(to_controller_config(scenario).paper);

@@ -51,6 +51,13 @@ def put_machine(draft):
     draft.maybe("stall_probability", lambda: draft.number(0, 0.9))
 
 
+def put_solver(draft):
+    rng = draft.rng
+    if draft.robot.has_kinematics and rng.random() < 0.3:
+        draft.table("kinematics")
+        draft.put("solver", "software" if draft.paper or rng.random() < 0.3 else "cordic")
+
+
 def put_places(draft):
     draft.frames = ["base", "tool"]
     if not draft.robot.has_kinematics:

@@ -3,7 +3,7 @@
 from .conveyor import put_conveyor
 from .draft import Draft
 from .expect import put_expect
-from .machine import put_machine, put_places, put_run
+from .machine import put_machine, put_places, put_run, put_solver
 from .moves import put_move, put_move_to_ready
 from .pendant import put_pendant
 from .program import put_program_tables
@@ -33,6 +33,7 @@ def draw(rng, robots):
     put_serial(draft)
     put_pendant(draft)
     put_expect(draft)
+    put_solver(draft)
     if rng.random() < 0.05:
         draft.table("golden")
         draft.put("sha256", "0123456789abcdef" * 4)
