@@ -149,8 +149,9 @@ CLI = {
     "command": set(),
     "options": {"command"},
     "waves": {"command", "options"},
+    "kinematics": {"command", "options"},
     "run": {"command", "options", "waves"},
-    "commands": {"command", "options", "waves", "run"},
+    "commands": {"command", "options", "waves", "kinematics", "run"},
 }
 # Folders whose own folders have rules.
 NESTED = {

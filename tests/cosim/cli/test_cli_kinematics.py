@@ -1,6 +1,7 @@
 """armature fk and armature ik."""
 
 import csv
+import json
 import re
 import tomllib
 from random import Random
@@ -212,6 +213,8 @@ class Kinematics(Program):
                 ("ik", "--robot", "abb_irb120", *pose, "--tool", 0, 0, "long", 0, 0, 0),
                 '--tool (mm): expected a number from -100000 to 100000, found "long"',
             ),
+            (("ik", "--robot", "abb_irb120", *pose, "--on", "a9"), "--on: a9 not in {host,cordic}"),
+            (("ik", "--robot", "abb_irb120", "--in", "p.csv", "--on", "cordic"), "--on"),
             (("fk", "--robot", "abb_irb120", *[0] * 6, "--frame", 0, 0, 0, 0, 0, 36001), "--frame (deg): expected"),
             (("fk", "--robot", "abb_irb120", "--tool", *[0] * 11), "expected 6 numbers, found 5"),
         ]
@@ -284,6 +287,41 @@ class Kinematics(Program):
             angles = [float(x) for x in re.findall(r"-?\d+\.\d{9}", line)]
             for angle, expected in zip(angles, (0, -90, 0, -90, 0), strict=True):
                 self.assertAlmostEqual(angle, expected, delta=1e-5)
+
+    def test_a_pose_is_solved_by_the_block_of_the_chip(self):
+        pose = ("ik", "--robot", "abb_irb120", "--xyz", 350, -120, 500, "--rpy", 30, 120, -10)
+        host = self.armature(*pose).stdout.splitlines()
+        self.assertEqual(self.armature(*pose, "--on", "host").stdout.splitlines(), host)
+        chip = self.armature(*pose, "--on", "cordic").stdout.splitlines()
+        self.assertEqual(len(chip), len(host) + 2)
+        numbers = re.compile(r"-?\d+\.\d{9}")
+        for by_host, by_chip in zip(host[2:], chip[2:-2], strict=True):
+            self.assertEqual(numbers.sub("", by_host).split(), numbers.sub("", by_chip).split())
+            self.assertNotEqual(by_host, by_chip, "the block has fewer digits")
+            for one, other in zip(numbers.findall(by_host), numbers.findall(by_chip), strict=True):
+                self.assertAlmostEqual(float(one), float(other), delta=0.06 * 7.2e-4)
+        self.assertRegex(chip[-2], r"^by ik_cordic of the chip: 1241 clocks \(24\.82 us\), \d+ with the bus \(")
+        off = re.fullmatch(r"largest difference from the host: (\d\.\d{4}) pulses, joint \d of branch \d", chip[-1])
+        self.assertTrue(0 < float(off[1]) < 0.06, chip[-1])
+        result = json.loads(self.armature(*pose, "--on", "cordic", "--json").stdout)
+        self.assertEqual((result["block_clocks"], result["other_branches"], len(result["branches"])), (1241, 0, 8))
+        self.assertGreater(result["clocks"], 1241)
+
+    def test_the_block_of_the_chip_says_when_it_has_no_branch(self):
+        far = ("ik", "--robot", "abb_irb120", "--rpy", 0, 0, 0, "--on", "cordic", "--xyz")
+        found = self.armature(*far, 2000, 0, 0, code=1).stdout.splitlines()
+        self.assertRegex(found[0], "unreachable by 14")
+        self.assertRegex(found[1], "^by ik_cordic of the chip: 233 clocks")
+        found = self.armature(*far, 90000, 0, 0, code=1).stdout.splitlines()
+        self.assertEqual(found[1], "by the host: the pose does not reach ik_cordic")
+
+    def test_the_block_of_the_chip_solves_five_axes(self):
+        shown = self.armature("fk", "--robot", "hu2012_5r", 10, -60, 50, -80, 20).stdout
+        xyz, rpy = (re.search(rf"{name} +([-0-9. ]+)", shown)[1].split() for name in ("position mm", "yaw deg"))
+        found = self.armature("ik", "--robot", "hu2012_5r", "--xyz", *xyz, "--rpy", *rpy, "--on", "cordic").stdout
+        self.assertRegex(found, r"(?m)^by ik_cordic of the chip: (505|701) clocks")
+        off = re.search(r"largest difference from the host: (\d\.\d{4}) pulses", found)
+        self.assertLess(float(off[1]), 0.03)
 
     def test_output_that_cannot_be_written_is_no_success(self):
         self.text("j.csv", self.joints_header(6) + "\n1,2,3,4,5,6\n")
