@@ -26,7 +26,7 @@ CoreProcessor::CoreProcessor(std::unique_ptr<CoreProgram> program, const CpuSpec
               {1, spec, [this](CoreBus& bus) { program_->main(1, bus); }}}} {}
 
 void CoreProcessor::run_ahead(RunAhead& simulation) {
-  cores_[0].run_ahead(simulation, cores_[1]);
+  if (program_->may_run_ahead()) cores_[0].run_ahead(simulation, cores_[1]);
 }
 
 void CoreProcessor::notify(Cycles now) {

@@ -13,6 +13,8 @@ class CoreProgram {
   // The main of core 0 or 1, on the stack of its fiber. When it returns, the core does nothing more. The fiber may be
   // abandoned in any call of `bus`, so objects on the stack must own nothing.
   virtual void main(int core, CoreBus& bus) = 0;
+  // Whether core 0 may run ahead (run_ahead.hpp). If not, both cores execute in the order of simulated time.
+  [[nodiscard]] virtual bool may_run_ahead() const { return true; }
   // What a core has executed until its latest call of its bus; 0 of a program that does not count.
   [[nodiscard]] virtual std::int64_t instructions(int /*core*/) const { return 0; }
 };

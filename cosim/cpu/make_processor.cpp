@@ -1,6 +1,7 @@
 #include "cosim/cpu/make_processor.hpp"
 
 #include <memory>
+#include <utility>
 
 #include "cosim/cpu/core_processor.hpp"
 #include "cosim/cpu/host_program.hpp"
@@ -9,19 +10,19 @@
 namespace armature::cosim {
 namespace {
 
-MakeCoreProgram a9_program = nullptr;
+MakeCoreProgram a9_program;
 
 }  // namespace
 
 void provide_a9(MakeCoreProgram make) {
-  a9_program = make;
+  a9_program = std::move(make);
 }
 
 void require_processor(const CpuSpec& spec) {
   if (spec.cpi && spec.processor == CpuKind::kHost) {
     throw InputError{"[cpu] cpi", "expected it with --cpu a9 or [cpu] processor = \"a9\", which execute instructions"};
   }
-  if (spec.processor == CpuKind::kHost || a9_program != nullptr) return;
+  if (spec.processor == CpuKind::kHost || a9_program) return;
   throw InputError{"--cpu a9 or [cpu] processor = \"a9\"",
                    "this program executes no ARM instructions; expected host, or the program armature-iss (tools/iss)"};
 }

@@ -2,6 +2,7 @@
 // program.
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "controller/host_memory/memory.hpp"
@@ -18,7 +19,8 @@ namespace armature::cosim {
 
 // The simulator of ARM instructions is not a part of every program (armature-iss): its main provides it, before it
 // makes a processor.
-using MakeCoreProgram = std::unique_ptr<CoreProgram> (*)(host_memory::HostMemory& memory, const CpuSpec& spec);
+using MakeCoreProgram =
+    std::function<std::unique_ptr<CoreProgram>(host_memory::HostMemory& memory, const CpuSpec& spec)>;
 void provide_a9(MakeCoreProgram make);
 // Throws InputError for a processor that is not provided, and for `cpi` without one that executes instructions.
 void require_processor(const CpuSpec& spec);

@@ -23,13 +23,21 @@ ArmCore& core(void* self) {
 
 }  // namespace
 
-ArmCore::ArmCore(int number, std::uint32_t charge, std::optional<double> cpi) : number_{number} {
+ArmCore::ArmCore(int number, std::uint32_t charge, std::optional<double> cpi, CoreWatcher* watcher)
+    : number_{number}, watcher_{watcher} {
   check(uc_open(UC_ARCH_ARM, UC_MODE_ARM, &engine_), "opens no engine");
   check(uc_ctl_set_cpu_model(engine_, UC_CPU_ARM_CORTEX_A9), "has no Cortex-A9");
   check(uc_mmio_map(engine_, kLogicBase, kLogicSize, read_logic, this, write_logic, this), "maps no logic");
   check(uc_mmio_map(engine_, board::mpcore::kBase, board::mpcore::kSize, read_mpcore, this, write_mpcore, this),
         "maps no MPCore");
-  // Before the first translation, because the engine adds the calls when it translates. Counting is first.
+  // Before the first translation, because the engine adds the calls when it translates. What hears of an instruction
+  // first finds it neither counted nor charged.
+  if (watcher != nullptr) {
+    add_hook(on_watched, this, 0, kLastAddress);
+    uc_hook hook = 0;
+    void* const data = reinterpret_cast<void*>(on_data);  // NOLINT: Unicorn takes any function so
+    check(uc_hook_add(engine_, &hook, UC_HOOK_MEM_READ | UC_HOOK_MEM_WRITE, data, this, 1, 0), "adds no hook");
+  }
   if (cpi) add_hook(on_instruction, &time_.emplace(*cpi), 0, kLastAddress);
   add_hook(on_charge, this, charge, charge);
 }
@@ -56,29 +64,29 @@ void ArmCore::prepare(std::uint32_t start, std::uint32_t until) {
 
 void ArmCore::run(std::uint32_t start, CoreBus& bus) {
   bus_ = &bus;
+  waits_ = false;
   if (time_) time_->reset();
   for (std::uint32_t next = start;; next = pc()) {
     check(uc_emu_start(engine_, next, kNowhere, 0, 0), "fails");
     pass_time();
+    waits_ = true;
     const Interrupts lines = bus.wait_for_interrupt(mpcore_.enabled());
+    waits_ = false;
     if (lines == Interrupts::kNone) return;
     mpcore_.set_pending(lines);
   }
 }
 
 std::uint32_t ArmCore::pc() const {
-  return read_register(UC_ARM_REG_PC) | ((read_register(UC_ARM_REG_CPSR) & kThumbState) != 0 ? 1u : 0u);
-}
-
-std::uint32_t ArmCore::read_register(int name) const {
-  std::uint32_t value = 0;
-  if (uc_reg_read(engine_, name, &value) != UC_ERR_OK) throw std::runtime_error{"Unicorn reads no register"};
-  return value;
+  return read_register<std::uint32_t>(UC_ARM_REG_PC) |
+         ((read_register<std::uint32_t>(UC_ARM_REG_CPSR) & kThumbState) != 0 ? 1u : 0u);
 }
 
 void ArmCore::check(uc_err error, const char* what) const {
   if (error == UC_ERR_OK) return;
-  const std::string at = engine_ == nullptr ? std::string{} : fmt::format(" at {:#x}", read_register(UC_ARM_REG_PC));
+  std::uint32_t pc = 0;
+  const bool known = engine_ != nullptr && uc_reg_read(engine_, UC_ARM_REG_PC, &pc) == UC_ERR_OK;
+  const std::string at = known ? fmt::format(" at {:#x}", pc) : std::string{};
   throw std::runtime_error{fmt::format("the simulator of ARM core {} {}{}: {}", number_, what, at, uc_strerror(error))};
 }
 
@@ -89,6 +97,19 @@ void ArmCore::pass_time() {
 
 void ArmCore::on_instruction(uc_engine*, std::uint64_t, std::uint32_t, void* time) {
   static_cast<InstructionTime*>(time)->count();
+}
+
+void ArmCore::on_watched(uc_engine*, std::uint64_t address, std::uint32_t, void* self) {
+  ArmCore& one = core(self);
+  if (one.bus_ != nullptr) one.watcher_->before_instruction(one, static_cast<std::uint32_t>(address));
+}
+
+void ArmCore::on_data(uc_engine*, uc_mem_type type, std::uint64_t address, int size, std::int64_t, void* self) {
+  ArmCore& one = core(self);
+  if (one.bus_ == nullptr) return;
+  one.watcher_->on_data(one, {.address = static_cast<std::uint32_t>(address),
+                              .bytes = static_cast<std::uint32_t>(size),
+                              .write = type == UC_MEM_WRITE});
 }
 
 std::uint64_t ArmCore::read_logic(uc_engine*, std::uint64_t offset, unsigned, void* self) {
@@ -115,8 +136,8 @@ void ArmCore::on_charge(uc_engine*, std::uint64_t, std::uint32_t, void* self) {
   ArmCore& one = core(self);
   if (one.bus_ == nullptr) return;
   one.pass_time();
-  const auto work = static_cast<Work>(one.read_register(UC_ARM_REG_R0));
-  one.bus_->charge(work, one.read_register(UC_ARM_REG_R1));
+  const auto work = static_cast<Work>(one.read_register<std::uint32_t>(UC_ARM_REG_R0));
+  one.bus_->charge(work, one.read_register<std::uint32_t>(UC_ARM_REG_R1));
 }
 
 }  // namespace armature::cosim::iss

@@ -14,6 +14,7 @@
 #include <optional>
 
 #include "cosim/cpu/core_bus.hpp"
+#include "cosim/iss/core_watcher.hpp"
 #include "cosim/iss/instruction_time.hpp"
 #include "cosim/iss/mpcore_model.hpp"
 
@@ -29,9 +30,10 @@ struct MemoryPiece {
 class ArmCore {
  public:
   // `charge`: the address of the function of the firmware whose calls are charged. `cpi`: clocks for each instruction;
-  // none: instructions are neither charged nor counted. Throws std::runtime_error, as the others, when the engine
-  // fails.
-  ArmCore(int number, std::uint32_t charge, std::optional<double> cpi = std::nullopt);
+  // none: instructions are neither charged nor counted. `watcher`: hears of each instruction that is executed in
+  // simulated time, and must outlive the core; null: nobody does, and no instruction takes longer. Throws
+  // std::runtime_error, as the others, when the engine fails.
+  ArmCore(int number, std::uint32_t charge, std::optional<double> cpi = std::nullopt, CoreWatcher* watcher = nullptr);
   ArmCore(const ArmCore&) = delete;
   ArmCore& operator=(const ArmCore&) = delete;
   ~ArmCore();
@@ -49,6 +51,25 @@ class ArmCore {
   // The program counter, with bit 0 set in Thumb state.
   [[nodiscard]] std::uint32_t pc() const;
 
+  // ---- for a watcher, by the names of Unicorn (uc_arm_reg)
+  // Simulated time begins here: before run() the registers show it.
+  void set_start(std::uint32_t start) { write_register<std::uint32_t>(UC_ARM_REG_PC, start); }
+  [[nodiscard]] int number() const { return number_; }
+  // Suspended in the WFI, behind which it continues, or before its start.
+  [[nodiscard]] bool waits() const { return waits_; }
+  // `Word`: of 32 bits, of the registers d0 to d31 of 64. Inside an access of the logic pc is not exact.
+  template <class Word>
+  [[nodiscard]] Word read_register(int name) const {
+    Word value = 0;
+    check(uc_reg_read(engine_, name, &value), "reads no register");
+    return value;
+  }
+  // In before_instruction() of this core, or while it waits().
+  template <class Word>
+  void write_register(int name, Word value) {
+    check(uc_reg_write(engine_, name, &value), "writes no register");
+  }
+
  private:
   static std::uint64_t read_logic(uc_engine*, std::uint64_t offset, unsigned, void* self);
   static void write_logic(uc_engine*, std::uint64_t offset, unsigned, std::uint64_t value, void* self);
@@ -56,18 +77,21 @@ class ArmCore {
   static void write_mpcore(uc_engine*, std::uint64_t offset, unsigned, std::uint64_t value, void* self);
   static void on_charge(uc_engine*, std::uint64_t address, std::uint32_t size, void* self);
   static void on_instruction(uc_engine*, std::uint64_t address, std::uint32_t size, void* time);
+  static void on_watched(uc_engine*, std::uint64_t address, std::uint32_t size, void* self);
+  static void on_data(uc_engine*, uc_mem_type type, std::uint64_t address, int size, std::int64_t value, void* self);
 
   void add_hook(void (*function)(uc_engine*, std::uint64_t, std::uint32_t, void*), void* data, std::uint32_t first,
                 std::uint32_t last);
   void pass_time();
 
   void check(uc_err error, const char* what) const;
-  [[nodiscard]] std::uint32_t read_register(int name) const;
 
   int number_;
   uc_engine* engine_ = nullptr;
   MpcoreModel mpcore_;
   CoreBus* bus_ = nullptr;  // null: simulated time has not begun
+  CoreWatcher* watcher_;
+  bool waits_ = true;
   std::optional<InstructionTime> time_;
 };
 

@@ -33,11 +33,17 @@ ArmProgram::Pages ArmProgram::pages(std::size_t bytes) {
 }
 
 ArmProgram::ArmProgram(std::span<const std::uint8_t> firmware, host_memory::HostMemory& memory,
-                       std::optional<double> cpi)
+                       std::optional<double> cpi, CoreWatcher* watcher)
     : image_{firmware},
       ddr_{pages(kDdrBytes)},
       on_chip_{pages(kOnChipBytes)},
-      cores_{{{0, image_.symbol("armature_charge"), cpi}, {1, image_.symbol("armature_charge"), cpi}}} {
+      pieces_{{{kDdr, ddr_.get(), kDdrBytes},
+               {kOnChip, on_chip_.get(), kOnChipBytes},
+               {image_.symbol("host_memory"), &memory, host_memory::BootMemory::whole_pages(memory.bytes)}}},
+      code_end_{image_.symbol("init_array_begin")},
+      watched_{watcher != nullptr},
+      cores_{
+          {{0, image_.symbol("armature_charge"), cpi, watcher}, {1, image_.symbol("armature_charge"), cpi, watcher}}} {
   for (const ElfImage::Segment& segment : image_.segments()) {
     if (segment.address < kDdr || segment.address - kDdr + segment.bytes.size() > kDdrBytes) {
       throw std::runtime_error{"the ARM program does not fit into its memory"};
@@ -46,13 +52,21 @@ ArmProgram::ArmProgram(std::span<const std::uint8_t> firmware, host_memory::Host
                 segment.bytes.size());
   }
   for (ArmCore& core : cores_) {
-    core.map({kDdr, ddr_.get(), kDdrBytes});
-    core.map({kOnChip, on_chip_.get(), kOnChipBytes});
-    core.map({image_.symbol("host_memory"), &memory, host_memory::BootMemory::whole_pages(memory.bytes)});
+    for (const MemoryPiece& piece : pieces_) core.map(piece);
   }
   starts_[0] = image_.symbol("core0_is_prepared");
   cores_[0].prepare(image_.symbol("start_core0"), starts_[0]);
   std::memcpy(&starts_[1], static_cast<std::uint8_t*>(on_chip_.get()) + (kCore1Start - kOnChip), sizeof starts_[1]);
+  for (std::size_t i = 0; i < cores_.size(); ++i) cores_.at(i).set_start(starts_.at(i));
+}
+
+std::span<std::uint8_t> ArmProgram::memory(std::uint32_t address) const {
+  for (const MemoryPiece& piece : pieces_) {
+    const std::uint32_t offset = address - piece.address;
+    if (address < piece.address || offset >= piece.bytes) continue;
+    return std::span{static_cast<std::uint8_t*>(piece.data), piece.bytes}.subspan(offset);
+  }
+  return {};
 }
 
 void ArmProgram::main(int core, CoreBus& bus) {

@@ -5,6 +5,7 @@
 #include "cosim/cli/commands/cli.hpp"
 #include "cosim/cpu/make_processor.hpp"
 #include "cosim/iss/arm_program.hpp"
+#include "cosim/iss/debug/debug_command.hpp"
 #include "cosim/iss/firmware.hpp"
 
 int main(int argc, char** argv) {
@@ -13,5 +14,5 @@ int main(int argc, char** argv) {
       [](host_memory::HostMemory& memory, const cosim::CpuSpec& spec) -> std::unique_ptr<cosim::CoreProgram> {
         return std::make_unique<cosim::iss::ArmProgram>(cosim::iss::firmware(), memory, spec.cpi);
       });
-  return cosim::cli_main(argc, argv);
+  return cosim::cli_main(argc, argv, {cosim::iss::debug_command()});
 }

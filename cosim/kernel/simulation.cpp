@@ -130,6 +130,17 @@ void Simulation::write_wave(WaveRequest wave) {
   wave_ = WaveWindow{std::move(wave)};
 }
 
+BusResponse Simulation::read_and_spoil(std::uint32_t address) {
+  compute_edges();
+  const auto end_of_access = [this] {
+    while (!soc_->has_response()) soc_->advance(now() + soc_->access_timeout(), StopOn::kAccess);
+    return soc_->pop_response().value();
+  };
+  if (!soc_->idle()) end_of_access();  // of a core
+  soc_->start({.write = false, .addr = address});
+  return end_of_access();
+}
+
 void Simulation::interrupt() {
   if (over_) return;
   over_ = true;

@@ -81,6 +81,9 @@ class Simulation final : private RunAhead {
   void write_wave(WaveRequest wave);
   // Completes the file of the waveform if it is open. Throws std::runtime_error when it cannot be written.
   void close_wave() { soc_->close_wave(); }
+  // What a core would read of this register of the logic if it began the access now. Time passes and the logic changes:
+  // only a copy of this process (cosim/snapshot) may call it, which does not advance the simulation any more.
+  [[nodiscard]] BusResponse read_and_spoil(std::uint32_t address);
   // Ends a run that is not over.
   void interrupt();
   [[nodiscard]] Cycles now() const { return soc_->now(); }

@@ -54,6 +54,7 @@ class Run final : private SimulationListener {
   [[nodiscard]] const std::vector<FaultEvent>& faults() const { return facts_.faults(); }
   [[nodiscard]] SimulationState look() { return simulation_.look(); }
   // As of Simulation.
+  [[nodiscard]] BusResponse read_and_spoil(std::uint32_t address) { return simulation_.read_and_spoil(address); }
   void write_wave(WaveRequest wave) { simulation_.write_wave(std::move(wave)); }
   void close_wave() { simulation_.close_wave(); }
 

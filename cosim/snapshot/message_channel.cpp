@@ -1,5 +1,6 @@
 #include "cosim/snapshot/message_channel.hpp"
 
+#include <poll.h>
 #include <sys/socket.h>
 
 #include <array>
@@ -32,6 +33,11 @@ std::pair<MessageChannel, MessageChannel> MessageChannel::pair() {
 bool MessageChannel::wait() {
   char byte = 0;
   return despite_signals([&] { return ::recv(end_.get(), &byte, sizeof(byte), MSG_PEEK); }) > 0;
+}
+
+bool MessageChannel::is_due() const {
+  pollfd state{end_.get(), POLLIN, 0};
+  return ::poll(&state, 1, 0) > 0;
 }
 
 bool MessageChannel::send(const void* message, std::size_t size) {

@@ -37,6 +37,9 @@ class MessageChannel {
   // Waits for a message. Returns false when the other end is closed.
   [[nodiscard]] bool wait();
 
+  // Whether wait() would return at once.
+  [[nodiscard]] bool is_due() const;
+
   [[nodiscard]] int descriptor() const { return end_.get(); }
   void close() { end_.close(); }
 

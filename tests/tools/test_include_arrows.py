@@ -97,7 +97,7 @@ COSIM = {
     "model": {"time", "logic", "fabric", "bus", "soc"},
     "engine": {"logic", "fabric", "bus", "soc", "model"},
     "cpu": {"time", "text", "bus"},
-    "iss": {"cpu", "cli"},
+    "iss": {"time", "text", "net", "logic", "fabric", "cpu", "scenario", "report", "kernel", "run", "snapshot", "cli"},
     "plant": {"time", "logic", "robot"},
     "fault": {"time", "logic", "soc", "cpu", "plant"},
     "check": {"logic", "bus", "plant"},

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <exception>
 #include <iostream>
 #include <map>
@@ -35,7 +36,7 @@ robots/NAME.toml, and uses the first one that has the name. It searches in this 
   4. the current folder, if it has a folder 'robots'
   5. the folders of the program itself)";
 
-int run_command_line(int argc, const char* const* argv) {
+int run_command_line(int argc, const char* const* argv, const std::vector<Subcommand>& more) {
   CLI::App app{"Cycle-accurate co-simulation of a System-on-Chip robot-arm controller", "armature"};
   app.require_subcommand(1);
   app.footer(kProgramDetails);
@@ -47,7 +48,9 @@ int run_command_line(int argc, const char* const* argv) {
       ->type_name(kFolderValue)
       ->allow_extra_args(false);  // one value for each --path: the next word may be the command
   std::map<const CLI::App*, CommandAction> actions;
-  const std::vector<Subcommand> all = commands();
+  std::vector<Subcommand> all = commands();
+  all.insert(all.end(), more.begin(), more.end());
+  std::ranges::stable_sort(all, {}, &Subcommand::order);
   for (const Subcommand& command : all) {
     CLI::App* sub = app.add_subcommand(command.name, command.summary);
     sub->footer(command.details);
@@ -85,9 +88,9 @@ int run_command_line(int argc, const char* const* argv) {
 
 }  // namespace
 
-int cli_main(int argc, const char* const* argv) {
+int cli_main(int argc, const char* const* argv, const std::vector<Subcommand>& more) {
   fill_standard_streams();
-  const int code = run_command_line(argc, argv);
+  const int code = run_command_line(argc, argv, more);
   return flush_standard_output() ? code : kExitInternal;
 }
 
