@@ -37,6 +37,7 @@ read the memory of the firmware and, word by word, the registers of the logic; r
 not even where a core's read would have one. It may write registers of a core that executes or waits for an interrupt,
 and memory except the code. 'detach' lets the run continue to its end, 'kill' ends it. A gdb that goes away without
 either leaves the run where it is, for the next one. 'monitor help' lists what else there is.
+The run goes back with 'reverse-stepi', 'reverse-continue' and the like: processor, logic and plant together.
 The port can be reached from this machine only. Every user of the machine can connect to it.
 Ctrl-C ends the run. At its end the summary is printed, as 'armature-iss run' does; no results are written.
 Exit code: that of 'run'; 130 when gdb or Ctrl-C has ended it.)";

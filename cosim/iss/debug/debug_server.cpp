@@ -9,8 +9,8 @@
 #include <system_error>
 #include <utility>
 
-#include "cosim/iss/debug/packet.hpp"
-#include "cosim/iss/debug/stub.hpp"
+#include "cosim/iss/debug/protocol/packet.hpp"
+#include "cosim/iss/debug/protocol/stub.hpp"
 #include "cosim/net/client_channel.hpp"
 #include "cosim/net/peer_closed.hpp"
 
@@ -25,27 +25,19 @@ class Server {
       : port_{port}, run_{run}, stop_{stop}, stub_{run, first} {}
 
   DebugResult serve() {
-    for (;;) {
+    while (!stop_()) {
       wait();
-      if (stop_()) return {.end = DebugEnd::kInterrupted};
       if (client_) take_bytes();
       if (stub_.end() == Stub::End::kKilled) {
         say_last();
         return {.end = DebugEnd::kKilled};
       }
       if (stub_.end() == Stub::End::kDetached && !detached_) detach();
-      if (run_is_due_) {
-        if (const std::optional<Stop> stop = run_.hear()) {
-          say(stub_.stopped(*stop));
-          if (stop->why == Stop::Why::kEnded || stop->why == Stop::Why::kFailed) {
-            say_last();
-            return {.end = DebugEnd::kRunEnded, .stop = *stop};
-          }
-        }
-      }
+      if (const std::optional<Stop> end = hear()) return {.stop = *end};
       if (client_) client_->send();
       if (has_gone()) lose_client();
     }
+    return {.end = DebugEnd::kInterrupted};
   }
 
  private:
@@ -99,6 +91,17 @@ class Server {
     }
   }
 
+  // What the run says, if it does. Returns its last stop.
+  std::optional<Stop> hear() {
+    if (!run_is_due_) return std::nullopt;
+    const std::optional<Stop> stop = run_.hear();
+    if (!stop) return std::nullopt;
+    say(stub_.stopped(*stop));
+    if (!stop->is_last()) return std::nullopt;
+    say_last();
+    return stop;
+  }
+
   void say(std::string_view payload) {
     if (client_) client_->answers() += packet_of(payload);
   }
@@ -139,7 +142,7 @@ class Server {
 DebugResult serve_debugger(const LoopbackPort& port, RemoteRun& run, const std::function<bool()>& stop) {
   std::optional<Stop> first;
   while (!first) first = run.hear();
-  if (first->why == Stop::Why::kEnded || first->why == Stop::Why::kFailed) return {.stop = *first};
+  if (first->is_last()) return {.stop = *first};
   return Server{port, run, *first, stop}.serve();
 }
 

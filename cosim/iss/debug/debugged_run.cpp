@@ -7,67 +7,41 @@
 #include <chrono>
 #include <cstdlib>
 #include <exception>
-#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
-#include <variant>
 
 #include "controller/base/timebase.hpp"
 #include "cosim/cli/command/command.hpp"
 #include "cosim/cpu/make_processor.hpp"
-#include "cosim/fabric/register_table.hpp"
 #include "cosim/iss/arm_program.hpp"
-#include "cosim/iss/debug/monitor.hpp"
+#include "cosim/iss/debug/run_inspector.hpp"
 #include "cosim/iss/debug/run_messages.hpp"
 #include "cosim/iss/debug/stop_rules.hpp"
 #include "cosim/iss/firmware.hpp"
 #include "cosim/report/format/summary_text.hpp"
 #include "cosim/run/golden_listener.hpp"
 #include "cosim/run/run.hpp"
-#include "cosim/snapshot/waiting_copy.hpp"
+#include "cosim/snapshot/return_points.hpp"
 
 namespace armature::cosim::iss {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-DebugAnswer text_answer(std::string_view text) {
-  DebugAnswer answer;
-  answer.size = static_cast<std::uint32_t>(std::min(text.size(), kMessageBytes));
-  std::copy_n(text.begin(), answer.size, answer.bytes.begin());
-  return answer;
-}
-
-// What `make` finds in a copy of this process: what it does there has no effect on the run.
-DebugAnswer in_copy(const std::function<DebugAnswer()>& make) {
-  auto taken = take_snapshot();
-  if (auto* copy = std::get_if<WokenCopy>(&taken)) {
-    (void)copy->order<char>();
-    try {
-      copy->end(make());
-    } catch (const std::exception&) {
-      copy->end(DebugAnswer{.done = false});
-    }
-  }
-  auto& waiting = std::get<WaitingCopy>(taken);
-  std::optional<DebugAnswer> answer;
-  if (waiting.wake('\0')) answer = waiting.answer<DebugAnswer>();
-  return answer.value_or(DebugAnswer{.done = false});
-}
-
-int name_of_register(int number) {
-  if (number <= 12) return UC_ARM_REG_R0 + number;
-  constexpr std::array kOthers{UC_ARM_REG_SP, UC_ARM_REG_LR, UC_ARM_REG_PC, UC_ARM_REG_CPSR};
-  if (number < kFirstDouble) return kOthers.at(static_cast<std::size_t>(number - 13));
-  if (number < kFirstDouble + kDoubles) return UC_ARM_REG_D0 + (number - kFirstDouble);
-  return UC_ARM_REG_FPSCR;
-}
+// Host time between two points to which the run can return. It is longer in a long run, and where the host is slow.
+constexpr Clock::duration kBetweenPoints = std::chrono::milliseconds{50};
+constexpr int kPartOfTheRun = 60;
+constexpr int kPartOfTheTime = 20;
+constexpr std::size_t kMaxPoints = 256;
+// On the way back there are more, at half of the way and so on: who goes back often does so again, by little.
+constexpr std::size_t kMorePoints = 32;
+constexpr std::int64_t kFinest = 20'000;  // instructions
 
 class DebuggedRun final : private CoreWatcher {
  public:
   DebuggedRun(const Scenario& scenario, const DebuggedRunOptions& options, MessageChannel& channel)
-      : scenario_{scenario}, options_{options}, channel_{channel} {
+      : channel_{channel}, points_{channel.descriptor()} {
     CoreWatcher* const watcher = this;
     provide_a9([&, watcher](host_memory::HostMemory& memory, const CpuSpec& spec) -> std::unique_ptr<CoreProgram> {
       auto program = std::make_unique<ArmProgram>(firmware(), memory, spec.cpi, watcher);
@@ -75,13 +49,16 @@ class DebuggedRun final : private CoreWatcher {
       return program;
     });
     run_ = std::make_unique<Run>(scenario);
+    inspector_.emplace(scenario, *run_, *program_, options.wave);
     if (options.compare_golden) run_->add(golden_.emplace(scenario, TraceFile{}));
   }
 
   [[noreturn]] void serve() {
     rules_.set({.how = Resume::How::kStep, .core = 0}, {});
+    take_point();
     while (run_->advance(run_->now() + armature::kTickCycles)) {
-      if (channel_.is_due()) take_interrupt();
+      if (!goal_ && channel_.is_due()) take_interrupt();
+      if (point_is_due()) take_point();
     }
     RunSummary summary = run_->finish();
     summary.host.wall_s = std::chrono::duration<double>(worked_ + (Clock::now() - since_)).count();
@@ -102,38 +79,135 @@ class DebuggedRun final : private CoreWatcher {
 
  private:
   void before_instruction(ArmCore& core, std::uint32_t address) noexcept override {
-    addresses_[static_cast<std::size_t>(core.number())] = address;
-    if (!rules_.active() && !pending_) return;
+    const auto number = static_cast<std::size_t>(core.number());
+    addresses_[number] = address;
+    if (rules_.active() || pending_ || goal_ == position_) look(core, address);
+    before_[number] = position_++;
+  }
+
+  void look(ArmCore& core, std::uint32_t address) noexcept {
+    if (goal_ == position_) return reach_goal(core);
+    if (searches_) {
+      if (const auto stop = rules_.at_instruction(core.number(), address)) found_ = {*stop, position_};
+      return;
+    }
     std::optional<Stop> stop;
     if (pending_ && pending_->core == core.number()) {
       stop = pending_;
     } else if (rules_.active()) {
       stop = rules_.at_instruction(core.number(), address);
       // The engine begins again at the pc that gdb has set: nothing was executed.
-      if (std::exchange(jumps_, false) && stop && stop->why == Stop::Why::kStep) stop.reset();
+      if (stop && stop->why == Stop::Why::kStep && position_ == jumped_to_) stop.reset();
     }
     if (stop) stand_at(core, *stop);
   }
 
   void on_data(ArmCore& core, const DataAccess& access) noexcept override {
-    if (!pending_) pending_ = rules_.at_data(core.number(), access);
+    const std::optional<Stop> stop = rules_.at_data(core.number(), access);
+    if (!stop) return;
+    if (searches_) {
+      found_ = {*stop, position_ - 1};
+    } else if (!pending_) {
+      pending_ = stop;
+    }
+  }
+
+  void reach_goal(ArmCore& core) noexcept {
+    goal_.reset();
+    if (!std::exchange(searches_, false)) {
+      Stop stop = goal_stop_;
+      stop.core = core.number();
+      return stand_at(core, stop);
+    }
+    DebugAnswer found{.kind = DebugAnswer::Kind::kFound, .done = found_.has_value(), .from = searched_from_};
+    if (found_) found.stop = found_->stop, found.position = found_->position;
+    stand(core, found);
+  }
+
+  void stand_at(ArmCore& core, const Stop& stop) noexcept {
+    stand(core, {.kind = DebugAnswer::Kind::kStopped,
+                 .stop = stop,
+                 .position = position_,
+                 .from = position_,
+                 .before = before_});
   }
 
   // An exception must not pass through the engine.
-  void stand_at(ArmCore& core, const Stop& stop) noexcept try {
+  void stand(ArmCore& core, const DebugAnswer& told) noexcept try {
     pending_.reset();
     rules_.clear();
     standing_ = &core;
     worked_ += Clock::now() - since_;
-    channel_.send(DebugAnswer{.kind = DebugAnswer::Kind::kStopped, .stop = stop});
+    channel_.send(told);
     do {
-      const std::optional<DebugRequest> request = channel_.receive<DebugRequest>();
-      if (!request) ::_exit(EXIT_SUCCESS);
-      if (const std::optional<DebugAnswer> answer = fulfil(*request)) channel_.send(*answer);
+      // A request to go back stays in the channel for the process that can fulfil it.
+      const std::optional<DebugRequest> next = channel_.peek<DebugRequest>();
+      if (!next) ::_exit(EXIT_SUCCESS);
+      if (goes_back(*next)) go_back(*next);
+      const DebugRequest request = channel_.receive<DebugRequest>().value();
+      if (const std::optional<DebugAnswer> answer = fulfil(request)) channel_.send(*answer);
     } while (standing_ != nullptr);
     since_ = Clock::now();
+    // The way from here on depends on what was written, which no earlier point knows.
+    if (inspector_->take_jump()) jumped_to_ = position_ + 1;
+    if (inspector_->take_written()) take_point();
+    if (goal_ == position_) reach_goal(core);
   } catch (const std::exception& error) {
     end(fmt::format("{}\n", error.what()), {.why = Stop::Why::kFailed});
+  }
+
+  [[nodiscard]] static bool goes_back(const DebugRequest& request) {
+    return request.kind == DebugRequest::Kind::kGoBack || request.kind == DebugRequest::Kind::kSearchBack;
+  }
+
+  [[noreturn]] void go_back(const DebugRequest& request) {
+    inspector_->close_wave();
+    points_.go_back(request.from);
+  }
+
+  [[nodiscard]] bool point_is_due() const {
+    if (inspector_->wave_is_on() || points_.count() >= max_points_ || point_ == position_) return false;
+    const Clock::duration worked = worked_ + (Clock::now() - since_);
+    if (goal_ && worked - worked_at_point_ >= point_takes_) {
+      const std::int64_t gap = *goal_ - position_;
+      if (gap >= kFinest && gap <= gap_at_point_ / 2) return true;
+    }
+    if (points_.count() >= kMaxPoints) return false;
+    return worked - worked_at_point_ >=
+           std::max({kBetweenPoints, worked / kPartOfTheRun, point_takes_ * kPartOfTheTime});
+  }
+
+  // Returns once more each time that the process is taken back here.
+  void take_point() {
+    const Clock::time_point begin = Clock::now();
+    worked_ += begin - std::exchange(since_, begin);
+    worked_at_point_ = worked_;
+    point_ = position_;
+    if (goal_) gap_at_point_ = *goal_ - position_;
+    try {
+      if (points_.mark(position_)) {
+        take_order();
+      } else {
+        point_takes_ = Clock::now() - begin;
+      }
+    } catch (const std::runtime_error&) {
+      max_points_ = points_.count();  // the host allows no more; the way back is longer
+    }
+    since_ = Clock::now();
+  }
+
+  // Of the process that was taken back: what go_back() has left in the channel.
+  void take_order() {
+    const DebugRequest request = channel_.receive<DebugRequest>().value();
+    rules_.clear();
+    pending_.reset();
+    found_.reset();
+    goal_ = request.position;
+    gap_at_point_ = *goal_ - position_;
+    goal_stop_ = request.stop;
+    searched_from_ = position_;
+    searches_ = request.kind == DebugRequest::Kind::kSearchBack;
+    if (searches_) rules_.set({}, std::span{request.go_on.points}.first(request.go_on.count));
   }
 
   // Of a run that continues: nothing else is asked of it.
@@ -144,18 +218,6 @@ class DebuggedRun final : private CoreWatcher {
 
   std::optional<DebugAnswer> fulfil(const DebugRequest& request) {
     switch (request.kind) {
-      case DebugRequest::Kind::kRegisters:
-        return registers(request.core);
-      case DebugRequest::Kind::kWriteRegister:
-        return write_register(request);
-      case DebugRequest::Kind::kRead:
-        return read(request);
-      case DebugRequest::Kind::kWrite:
-        return write(request);
-      case DebugRequest::Kind::kState:
-        return text_answer(state(program_->core(request.core)));
-      case DebugRequest::Kind::kMonitor:
-        return monitor({request.bytes.begin(), request.bytes.begin() + request.size});
       case DebugRequest::Kind::kResume:
         rules_.set(request.go_on.how, std::span{request.go_on.points}.first(request.go_on.count));
         standing_ = nullptr;
@@ -163,113 +225,48 @@ class DebuggedRun final : private CoreWatcher {
       case DebugRequest::Kind::kDetach:
         standing_ = nullptr;
         break;
-      case DebugRequest::Kind::kInterrupt:
-        break;  // it stands already
+      case DebugRequest::Kind::kInterrupt:  // it stands already
+        break;
+      default:
+        return inspector_->answer(request, {.core = standing_, .addresses = addresses_});
     }
     return std::nullopt;
   }
 
-  // Whether the registers of the core are those between two instructions.
-  [[nodiscard]] bool is_between(const ArmCore& core) const { return &core == standing_ || core.waits(); }
+  struct Found {
+    Stop stop;
+    std::int64_t position = 0;
+  };
 
-  [[nodiscard]] DebugAnswer registers(int number) {
-    const ArmCore& core = program_->core(number);
-    DebugAnswer answer;
-    for (int i = 0; i < kRegisters; ++i) {
-      const int name = name_of_register(i);
-      const bool is_long = bytes_of_register(i) == 8;
-      answer.registers.at(static_cast<std::size_t>(i)) =
-          is_long ? core.read_register<std::uint64_t>(name) : core.read_register<std::uint32_t>(name);
-    }
-    if (!is_between(core)) answer.registers[kPcNumber] = addresses_.at(static_cast<std::size_t>(number));
-    return answer;
-  }
-
-  [[nodiscard]] DebugAnswer write_register(const DebugRequest& request) {
-    ArmCore& core = program_->core(request.core);
-    if (!is_between(core)) return {.done = false};
-    const int name = name_of_register(request.number);
-    if (bytes_of_register(request.number) == 8) {
-      core.write_register(name, request.value);
-    } else if (request.value != registers(request.core).registers.at(static_cast<std::size_t>(request.number))) {
-      core.write_register(name, static_cast<std::uint32_t>(request.value));
-      if (request.number == kPcNumber) jumps_ = &core == standing_;
-    }
-    return {};
-  }
-
-  [[nodiscard]] DebugAnswer read(const DebugRequest& request) {
-    DebugAnswer answer;
-    const std::span<const std::uint8_t> memory = program_->memory(request.address);
-    answer.size = static_cast<std::uint32_t>(std::min<std::size_t>(memory.size(), request.size));
-    std::copy_n(memory.begin(), answer.size, answer.bytes.begin());
-    if (memory.empty()) read_logic(request, answer);
-    return answer;
-  }
-
-  // Word by word, up to the first one that is no register.
-  void read_logic(const DebugRequest& request, DebugAnswer& answer) {
-    while (answer.size < request.size) {
-      const std::uint32_t address = request.address + answer.size, word = address & ~3u;
-      if (register_name(scenario_.variant, word).empty()) return;
-      const DebugAnswer value = in_copy([&] {
-        const BusResponse response = run_->read_and_spoil(word);
-        return DebugAnswer{.done = response.error == BusError::kNone, .size = response.data};
-      });
-      if (!value.done) return;
-      for (std::uint32_t byte = address & 3; byte < 4 && answer.size < request.size; ++byte) {
-        answer.bytes.at(answer.size++) = static_cast<std::uint8_t>(value.size >> (8 * byte));
-      }
-    }
-  }
-
-  [[nodiscard]] DebugAnswer write(const DebugRequest& request) {
-    const std::span<std::uint8_t> memory = program_->memory(request.address);
-    const bool is_code = request.address >= program_->code_begin() && request.address < program_->code_end();
-    if (memory.size() < request.size || is_code) return {.done = false};
-    std::copy_n(request.bytes.begin(), request.size, memory.begin());
-    return {};
-  }
-
-  [[nodiscard]] std::string state(const ArmCore& core) const {
-    if (&core == standing_) return "executes";
-    return core.waits() ? "waits for an interrupt" : "waits for the bus, or time passes";
-  }
-
-  [[nodiscard]] DebugAnswer monitor(const std::string& command) {
-    if (command == "help") return text_answer(monitor_help());
-    if (command == "wave on") return text_answer(wave_on());
-    if (command == "wave off") return text_answer(wave_off());
-    return in_copy([&] { return text_answer(monitor_text(command, run_->look(), run_->faults())); });
-  }
-
-  std::string wave_on() {
-    if (!options_.wave) return "no file for a waveform: start armature-iss debug with --vcd FILE\n";
-    if (std::exchange(wave_is_on_, true)) return "the waveform is on already\n";
-    run_->write_wave({.file = *options_.wave, .from = run_->now()});
-    return fmt::format("from now on {} is written\n", options_.wave->string());
-  }
-
-  std::string wave_off() {
-    if (!std::exchange(wave_is_on_, false)) return "no waveform is on\n";
-    run_->close_wave();
-    return fmt::format("{} is complete; the next `wave on` writes it again\n", options_.wave->string());
-  }
-
-  const Scenario& scenario_;
-  const DebuggedRunOptions& options_;
   MessageChannel& channel_;
   ArmProgram* program_ = nullptr;
   std::optional<GoldenListener> golden_;
   std::unique_ptr<Run> run_;
+  std::optional<RunInspector> inspector_;
+
+  // ---- forwards
   StopRules rules_;
-  std::optional<Stop> pending_;               // at the next instruction of its core
-  std::array<std::uint32_t, 2> addresses_{};  // of the latest instruction of each core
-  ArmCore* standing_ = nullptr;               // the core before whose instruction the run stands
-  bool jumps_ = false;                        // it continues at another pc
-  bool wave_is_on_ = false;
+  std::optional<Stop> pending_;                 // at the next instruction of its core
+  std::array<std::uint32_t, 2> addresses_{};    // of the latest instruction of each core
+  std::int64_t position_ = 0;                   // of the next instruction
+  std::array<std::int64_t, 2> before_{-1, -1};  // positions of the latest instructions
+  ArmCore* standing_ = nullptr;                 // before whose instruction the run stands
+  std::int64_t jumped_to_ = -1;                 // the position at which a core has begun at a pc that gdb has set
+
+  // ---- back
+  ReturnPoints points_;
+  std::size_t max_points_ = kMaxPoints + kMorePoints;
+  std::int64_t point_ = -1;           // position of the latest point
+  std::optional<std::int64_t> goal_;  // a position to stand at, of a run that was taken back
+  std::int64_t gap_at_point_ = 0;     // from the latest point to the goal
+  Stop goal_stop_;                    // that is told there
+  bool searches_ = false;             // up to the goal
+  std::optional<Found> found_;        // the latest one
+  std::int64_t searched_from_ = 0;
+
   Clock::time_point since_ = Clock::now();  // the run continues
   Clock::duration worked_{};                // before that
+  Clock::duration worked_at_point_{}, point_takes_{};
 };
 
 }  // namespace

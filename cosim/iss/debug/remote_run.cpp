@@ -34,8 +34,11 @@ std::optional<Stop> RemoteRun::hear() {
     return Stop{.why = Stop::Why::kFailed};
   }
   if (told->kind == DebugAnswer::Kind::kText) end_text_ += text_of(*told);
+  if (told->kind == DebugAnswer::Kind::kFound) continue_search(*told);
   if (told->kind != DebugAnswer::Kind::kStopped) return std::nullopt;
-  ended_ = told->stop.why == Stop::Why::kEnded || told->stop.why == Stop::Why::kFailed;
+  position_ = told->position;
+  before_ = told->before;
+  ended_ = told->stop.is_last();
   return told->stop;
 }
 
@@ -92,10 +95,33 @@ std::string RemoteRun::monitor(std::string_view command) {
 }
 
 void RemoteRun::resume(const Resume& how, std::span<const StopPoint> points) {
-  DebugRequest request{.kind = DebugRequest::Kind::kResume, .go_on = {.how = how}};
-  request.go_on.count = points.size();
-  std::ranges::copy(points, request.go_on.points.begin());
-  tell(request);
+  wanted_ = {.how = how, .count = points.size()};
+  std::ranges::copy(points, wanted_.points.begin());
+  if (how.how == Resume::How::kStepBack) {
+    const std::int64_t before = before_.at(static_cast<std::size_t>(how.core));
+    go_back(std::max<std::int64_t>(before, 0), {.why = before < 0 ? Stop::Why::kBeginning : Stop::Why::kStep});
+  } else if (how.how == Resume::How::kBack) {
+    search_ends_ = false;
+    search(position_);
+  } else {
+    tell({.kind = DebugRequest::Kind::kResume, .go_on = wanted_});
+  }
+}
+
+// Before the position `end`.
+void RemoteRun::search(std::int64_t end) {
+  if (end == 0) return go_back(0, {.why = Stop::Why::kBeginning});
+  tell({.kind = DebugRequest::Kind::kSearchBack, .go_on = wanted_, .position = end, .from = end - 1});
+}
+
+void RemoteRun::continue_search(const DebugAnswer& found) {
+  if (found.done) return go_back(found.position, found.stop);
+  if (search_ends_) return go_back(found.from, {.why = Stop::Why::kInterrupt});
+  search(found.from);
+}
+
+void RemoteRun::go_back(std::int64_t position, const Stop& stop) {
+  tell({.kind = DebugRequest::Kind::kGoBack, .position = position, .from = position, .stop = stop});
 }
 
 void RemoteRun::detach() {
@@ -103,6 +129,8 @@ void RemoteRun::detach() {
 }
 
 void RemoteRun::interrupt() {
+  search_ends_ = true;
+  if (wanted_.how.how == Resume::How::kBack || wanted_.how.how == Resume::How::kStepBack) return;
   tell({.kind = DebugRequest::Kind::kInterrupt});
 }
 

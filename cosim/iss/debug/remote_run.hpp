@@ -3,12 +3,14 @@
 
 #include <sys/types.h>
 
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 
 #include "cosim/iss/debug/debugged_run.hpp"
+#include "cosim/iss/debug/protocol/target.hpp"
 #include "cosim/iss/debug/run_messages.hpp"
-#include "cosim/iss/debug/target.hpp"
 #include "cosim/scenario/scenario.hpp"
 #include "cosim/snapshot/message_channel.hpp"
 
@@ -43,12 +45,19 @@ class RemoteRun final : public Target {
 
  private:
   DebugAnswer ask(const DebugRequest& request);
+  void search(std::int64_t end);
+  void go_back(std::int64_t position, const Stop& stop);
+  void continue_search(const DebugAnswer& found);
   void tell(const DebugRequest& request) { channel_.send(request); }
 
   MessageChannel channel_;
   pid_t process_ = 0;
   std::string end_text_;
   bool ended_ = false;
+  std::int64_t position_ = 0;  // where the run stands
+  std::array<std::int64_t, 2> before_{};
+  Continuation wanted_;       // of a search backwards
+  bool search_ends_ = false;  // it was interrupted
 };
 
 }  // namespace armature::cosim::iss

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cosim/iss/core_watcher.hpp"
-#include "cosim/iss/debug/target.hpp"
+#include "cosim/iss/debug/protocol/target.hpp"
 
 namespace armature::cosim::iss {
 

@@ -1,4 +1,4 @@
-#include "cosim/iss/debug/packet.hpp"
+#include "cosim/iss/debug/protocol/packet.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cosim/iss/debug/hex.hpp"
+#include "cosim/iss/debug/protocol/hex.hpp"
 
 namespace armature::cosim::iss {
 namespace {

@@ -1,4 +1,4 @@
-#include "cosim/iss/debug/stub.hpp"
+#include "cosim/iss/debug/protocol/stub.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "cosim/iss/debug/hex.hpp"
-#include "cosim/iss/debug/packet.hpp"
+#include "cosim/iss/debug/protocol/hex.hpp"
+#include "cosim/iss/debug/protocol/packet.hpp"
 
 namespace armature::cosim::iss {
 namespace {
@@ -163,6 +163,17 @@ TEST_F(GdbStub, StepsTheNamedThread) {
   EXPECT_EQ(target.resumes[2].first, 0x1000u);
   EXPECT_EQ(target.resumes[2].last, 0x1010u);
   EXPECT_EQ(target.resumes[3].how, Resume::How::kContinue);
+}
+
+TEST_F(GdbStub, GoesBackAndTellsTheBeginningOfTheRun) {
+  EXPECT_EQ(stub.answer("bc"), std::nullopt);
+  EXPECT_EQ(stub.stopped({.why = Stop::Why::kBeginning}), "T05thread:1;replaylog:begin;");
+  answer("Hc2");
+  EXPECT_EQ(stub.answer("bs"), std::nullopt);
+  ASSERT_EQ(target.resumes.size(), 2u);
+  EXPECT_EQ(target.resumes[0].how, Resume::How::kBack);
+  EXPECT_EQ(target.resumes[1].how, Resume::How::kStepBack);
+  EXPECT_EQ(target.resumes[1].core, 1);
 }
 
 TEST_F(GdbStub, ExecutesNothingInTheStepOfGdbBehindAWatchedAccess) {

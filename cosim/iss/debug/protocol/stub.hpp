@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "cosim/iss/debug/target.hpp"
+#include "cosim/iss/debug/protocol/target.hpp"
 
 namespace armature::cosim::iss {
 

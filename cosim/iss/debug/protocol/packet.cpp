@@ -1,8 +1,8 @@
-#include "cosim/iss/debug/packet.hpp"
+#include "cosim/iss/debug/protocol/packet.hpp"
 
 #include <fmt/format.h>
 
-#include "cosim/iss/debug/hex.hpp"
+#include "cosim/iss/debug/protocol/hex.hpp"
 
 namespace armature::cosim::iss {
 namespace {

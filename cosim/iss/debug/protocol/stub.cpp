@@ -1,4 +1,4 @@
-#include "cosim/iss/debug/stub.hpp"
+#include "cosim/iss/debug/protocol/stub.hpp"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,9 @@
 #include <cstddef>
 #include <utility>
 
-#include "cosim/iss/debug/hex.hpp"
-#include "cosim/iss/debug/packet.hpp"
+#include "cosim/iss/debug/protocol/hex.hpp"
+#include "cosim/iss/debug/protocol/packet.hpp"
+#include "cosim/iss/debug/protocol/packet_words.hpp"
 
 namespace armature::cosim::iss {
 namespace {
@@ -18,66 +19,6 @@ constexpr std::string_view kWrong = "E01";    // the packet is not as the protoc
 constexpr std::string_view kRefused = "E02";  // the run cannot do it
 
 constexpr std::uint32_t kMostBytes = (kLongestPayload - 16) / 2;  // of memory in a packet
-constexpr int kCores = 2;
-
-// The text after `prefix`; nothing: the packet is another one.
-std::optional<std::string_view> after(std::string_view packet, std::string_view prefix) {
-  if (!packet.starts_with(prefix)) return std::nullopt;
-  return packet.substr(prefix.size());
-}
-
-// Splits at the first `mark`; the second part is empty if there is none.
-std::pair<std::string_view, std::string_view> split(std::string_view text, char mark) {
-  const std::size_t at = text.find(mark);
-  if (at == std::string_view::npos) return {text, {}};
-  return {text.substr(0, at), text.substr(at + 1)};
-}
-
-std::optional<std::uint32_t> word(std::string_view digits) {
-  const auto number = number_of_hex(digits);
-  if (!number || *number > 0xFFFF'FFFF) return std::nullopt;
-  return static_cast<std::uint32_t>(*number);
-}
-
-// `ADDRESS,BYTES`
-struct Range {
-  std::uint32_t address = 0, bytes = 0;
-};
-std::optional<Range> range_of(std::string_view text) {
-  const auto [address, bytes] = split(text, ',');
-  const auto first = word(address), size = word(bytes);
-  if (!first || !size) return std::nullopt;
-  return Range{*first, *size};
-}
-
-// Thread 1 is core 0. Nothing: no core, or any (0, -1).
-std::optional<int> core_of(std::string_view thread) {
-  const auto number = number_of_hex(thread);
-  if (!number || *number == 0 || *number > kCores) return std::nullopt;
-  return static_cast<int>(*number) - 1;
-}
-
-std::uint64_t little_endian(std::span<const std::uint8_t> bytes) {
-  std::uint64_t value = 0;
-  for (std::size_t i = 0; i < bytes.size(); ++i) value |= std::uint64_t{bytes[i]} << (8 * i);
-  return value;
-}
-
-std::optional<StopPoint::Kind> point_kind(char digit) {
-  switch (digit) {
-    case '0':
-    case '1':
-      return StopPoint::Kind::kBreakpoint;
-    case '2':
-      return StopPoint::Kind::kWrite;
-    case '3':
-      return StopPoint::Kind::kRead;
-    case '4':
-      return StopPoint::Kind::kAccess;
-    default:
-      return std::nullopt;
-  }
-}
 
 std::string_view reason_word(StopPoint::Kind kind) {
   switch (kind) {
@@ -117,6 +58,8 @@ std::optional<std::string> Stub::answer(std::string_view packet) {
     acknowledges_ = false;
     return std::string{kOk};
   }
+  if (packet == "bc") return resume({.how = Resume::How::kBack});
+  if (packet == "bs") return resume({.how = Resume::How::kStepBack, .core = core_});
   const std::string_view rest = packet.substr(1);
   switch (packet.front()) {
     case '?':
@@ -175,8 +118,10 @@ void Stub::begin_session() {
 
 std::string Stub::query(std::string_view packet) {
   if (packet.starts_with("qSupported")) {
-    return fmt::format("PacketSize={:x};QStartNoAckMode+;qXfer:features:read+;vContSupported+;swbreak+;hwbreak+",
-                       kLongestPayload);
+    return fmt::format(
+        "PacketSize={:x};QStartNoAckMode+;qXfer:features:read+;vContSupported+;swbreak+;hwbreak+;"
+        "ReverseStep+;ReverseContinue+",
+        kLongestPayload);
   }
   if (const auto range = after(packet, "qXfer:features:read:target.xml:")) return part_of(target_description(), *range);
   if (packet.starts_with("qXfer:")) return "E00";
@@ -306,9 +251,11 @@ std::optional<std::string> Stub::resume_by_threads(std::string_view actions) {
 }
 
 std::optional<std::string> Stub::resume(const Resume& how) {
-  // gdb expects that a watched access of an ARM core has not been executed yet, and steps over it. Here it has been.
+  // gdb expects that a watched access of an ARM core is still to be executed, or taken back, and steps over it. Here
+  // this has been done.
   const bool watched = stop_.why == Stop::Why::kPoint && stop_.point.kind != StopPoint::Kind::kBreakpoint;
-  if (watched && how.how == Resume::How::kStep && how.core == stop_.core && how.last == how.first) {
+  const bool steps = how.how == Resume::How::kStep || how.how == Resume::How::kStepBack;
+  if (watched && steps && how.core == stop_.core && how.last == how.first) {
     return stopped({.why = Stop::Why::kStep, .core = stop_.core});
   }
   runs_ = true;

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "cosim/iss/debug/registers.hpp"
+#include "cosim/iss/debug/protocol/registers.hpp"
 
 namespace armature::cosim::iss {
 
@@ -40,9 +40,12 @@ struct Stop {
   StopPoint point{};       // of kPoint
   std::uint32_t data = 0;  // of a watched StopPoint: the address that was accessed
   int exit_code = 0;       // of kEnded
+
+  [[nodiscard]] bool is_last() const { return why == Why::kEnded || why == Why::kFailed; }
 };
 
-// How the run continues. The other core executes what is due in the meantime, and stops the run at a point, too.
+// How the run continues. The other core executes what is due in the meantime, and stops the run at a point, too. Back:
+// to the latest stop before; at a watched access the run stands before it. What gdb has written is taken back, too.
 struct Resume {
   enum class How : std::uint8_t { kContinue, kStep, kBack, kStepBack };
   How how = How::kContinue;

@@ -1,4 +1,4 @@
-#include "cosim/iss/debug/hex.hpp"
+#include "cosim/iss/debug/protocol/hex.hpp"
 
 #include <charconv>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "cosim/iss/debug/registers.hpp"
+#include "cosim/iss/debug/protocol/registers.hpp"
 
 #include <fmt/format.h>
 
@@ -24,8 +24,8 @@ std::string description() {
 }  // namespace
 
 std::string_view target_description() {
-  static const std::string text = description();
-  return text;
+  static const std::string kText = description();
+  return kText;
 }
 
 }  // namespace armature::cosim::iss
