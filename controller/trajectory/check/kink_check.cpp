@@ -23,24 +23,27 @@ void KinkCheck::add_kinks(const TimeTable& table, bool in_window) noexcept {
   // A smooth window has a kink at every point of its law, and between them its jerk is constant: any difference over
   // ticks is a mean of these.
   const double least_share = in_window && table.is_smooth() ? kLeastKinkOfJerk : kLeastKink;
+  // Core 1 has little time for a window: only single jumps count there.
+  const double longest_s = in_window ? 0.0 : kTickSeconds;
   double most = 0.0;
   for (std::size_t i = 0; i + 1 < table.size(); ++i) most = std::max(most, std::fabs(law_after(i)));
-  // The largest change within a tick behind `i`.
+  // The largest change up to this time behind `i`.
   const auto change = [&](std::size_t i, double before) {
     double largest = 0.0;
-    for (std::size_t j = i; j < table.size() && table[j].t_s <= table[i].t_s + kTickSeconds; ++j) {
+    for (std::size_t j = i; j < table.size() && table[j].t_s <= table[i].t_s + longest_s; ++j) {
       largest = std::max(largest, std::fabs(law_after(j) - before));
     }
     return largest;
   };
-  // Whether the law is larger than `least` at a time that the differences around `i` contain.
-  const auto exceeds = [&](std::size_t i, double least) {
+  // Whether the law is at least `least` at a time that the differences around `i` contain.
+  const auto reaches = [&](std::size_t i, double least) {
+    if (in_window) return most >= least;
     const double from_s = table[i].t_s - kBefore * kTickSeconds, to_s = table[i].t_s + kAfter * kTickSeconds;
     for (std::size_t j = i; j > 0 && table[j].t_s > from_s; --j) {
-      if (std::fabs(law_after(j - 1)) > least) return true;
+      if (std::fabs(law_after(j - 1)) >= least) return true;
     }
     for (std::size_t j = i; j < table.size() && table[j].t_s < to_s; ++j) {
-      if (std::fabs(law_after(j)) > least) return true;
+      if (std::fabs(law_after(j)) >= least) return true;
     }
     return false;
   };
@@ -48,7 +51,7 @@ void KinkCheck::add_kinks(const TimeTable& table, bool in_window) noexcept {
   for (std::size_t i = 0; i < table.size(); ++i) {
     const auto tick = static_cast<std::int64_t>(table[i].t_s / kTickSeconds);
     const double size = change(i, before);
-    const bool counts = tick >= first_tick && size > kLeastOfAll * most && !exceeds(i, size / least_share);
+    const bool counts = tick >= first_tick && size > kLeastOfAll * most && !reaches(i, size / least_share);
     if (counts && (count_ == 0 || kinks_[count_ - 1] != tick)) kinks_[count_++] = tick;
     before = law_after(i);
   }

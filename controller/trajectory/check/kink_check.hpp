@@ -8,7 +8,8 @@
 //
 // A law has many points. Those count as kinks from which on its acceleration changes, within a tick, by more than
 // kLeastKink of the largest one around: many small steps in a tick are as much as one, and the acceleration along one
-// segment says nothing about another. Less than kLeastOfAll of the largest one of the plan does not count.
+// segment says nothing about another. Less than kLeastOfAll of the largest one of the plan does not count. In a window,
+// for which core 1 has little time, only single jumps count, compared with the largest acceleration of the window.
 #pragma once
 
 #include <array>
