@@ -11,6 +11,7 @@
 #include "controller/regs/pulse_width_regs.hpp"
 #include "controller/regs/soc_map.hpp"
 #include "cosim/bus/register_address.hpp"
+#include "cosim/check/shortage.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -32,11 +33,6 @@ constexpr std::int64_t kResponsePath = 10;
 
 constexpr std::uint32_t kStopFlags = pt::kFaultEstopMask | pt::kFaultWatchdogMask | pt::kFaultResidualMask;
 constexpr std::uint32_t kStopStates = pt::kStatusEstopMask | pt::kStatusWatchdogMask;
-
-// Whether `got` has the direction of `committed` and at most as many pulses.
-bool is_short_of(std::int32_t got, std::int32_t committed) {
-  return committed >= 0 ? got >= 0 && got <= committed : got <= 0 && got >= committed;
-}
 
 }  // namespace
 
@@ -131,11 +127,11 @@ void Conservation::check_paper_tick(Cycles now) {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const auto emitted = static_cast<std::int32_t>(pins_[axis] - pins_at_trigger_[axis]);
     if (widths_.allows(axis, emitted, tick)) continue;
-    const std::int32_t expected = widths_.expected(axis, tick);
-    if (is_short_of(emitted, expected)) {
-      record_shortage(now, axis, expected, emitted);
+    if (const auto whole = widths_.whole_of(axis, emitted, tick)) {
+      record_shortage(now, axis, *whole, emitted);
     } else {
-      report(triggers_, axis, now, fmt::format("the half period makes {} pulses, {} emitted", expected, emitted));
+      report(triggers_, axis, now,
+             fmt::format("the half period makes {} pulses, {} emitted", widths_.expected(axis, tick), emitted));
     }
   }
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "cosim/check/shortage.hpp"
+
 namespace armature::cosim {
 namespace {
 
@@ -27,6 +29,13 @@ void PaperWidths::on_trigger() {
 
 bool PaperWidths::allows(std::size_t axis, std::int32_t count, Cycles tick) const {
   return std::ranges::any_of(active_[axis], [&](std::int32_t width) { return pulses(width, tick) == count; });
+}
+
+std::optional<std::int32_t> PaperWidths::whole_of(std::size_t axis, std::int32_t count, Cycles tick) const {
+  for (auto width = active_[axis].rbegin(); width != active_[axis].rend(); ++width) {
+    if (const std::int32_t whole = pulses(*width, tick); is_short_of(count, whole)) return whole;
+  }
+  return std::nullopt;
 }
 
 std::int32_t PaperWidths::expected(std::size_t axis, Cycles tick) const {

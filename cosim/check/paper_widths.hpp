@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "controller/base/axes.hpp"
@@ -24,6 +25,8 @@ class PaperWidths {
 
   // Whether the axis may emit `pulses` in the present tick, which is `tick` cycles long.
   [[nodiscard]] bool allows(std::size_t axis, std::int32_t pulses, Cycles tick) const;
+  // Number of pulses with the newest width of which `pulses` may be what a stop has left; none: no stop explains them.
+  [[nodiscard]] std::optional<std::int32_t> whole_of(std::size_t axis, std::int32_t pulses, Cycles tick) const;
   // Number of pulses with the newest width that may be active.
   [[nodiscard]] std::int32_t expected(std::size_t axis, Cycles tick) const;
 

@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <optional>
+
 #include "controller/regs/encoder_switch_regs.hpp"
 #include "controller/regs/pulse_width_regs.hpp"
 #include "tests/cosim/support/conservation_bench.hpp"
@@ -48,6 +50,20 @@ TEST(PaperWidths, AWidthStandsAndAWriteInDoubtAllowsBoth) {
   EXPECT_TRUE(widths.allows(0, 25, Cycles{2'500}));
   widths.on_trigger();
   EXPECT_FALSE(widths.allows(0, 12, Cycles{2'500}));
+}
+
+TEST(PaperWidths, AStopMayCutThePulsesOfEachWidthThatMayBeActive) {
+  PaperWidths widths;
+  widths.on_write(0, -100, false);
+  widths.on_trigger();
+  EXPECT_EQ(widths.whole_of(0, -7, Cycles{2'500}), -12);
+  EXPECT_EQ(widths.whole_of(0, 7, Cycles{2'500}), std::nullopt);
+  widths.on_write(0, 0, true);
+  EXPECT_EQ(widths.whole_of(0, -7, Cycles{2'500}), -12) << "the width before may be the active one";
+  EXPECT_EQ(widths.whole_of(0, 0, Cycles{2'500}), 0);
+  EXPECT_EQ(widths.whole_of(0, -13, Cycles{2'500}), std::nullopt);
+  widths.on_trigger();
+  EXPECT_EQ(widths.whole_of(0, -7, Cycles{2'500}), std::nullopt);
 }
 
 // The bench with the registers of the paper's logic. Its pins emit counts; the widths that the software wrote are
