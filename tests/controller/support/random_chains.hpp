@@ -110,7 +110,7 @@ class ChainMaker {
     const Eigen::Vector3d axis = random_vector(random_, 1.0);
     const double half_rad = 0.5 * turn_rad_;
     const Transform from{turned_by(middle, -half_rad, axis).rotation, middle.position_mm - half_mm};
-    const Transform to{turned_by(middle, half_rad, axis).rotation, middle.position_mm + half_mm};
+    Transform to{turned_by(middle, half_rad, axis).rotation, middle.position_mm + half_mm};
     const IkTracking start = arm.track(from * inverse(chain_.tool), chain_.start);
     if (!solved(start.status)) return middle;  // a chain that begins in the singularity instead
     chain_.start = start.joints;

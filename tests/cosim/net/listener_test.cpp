@@ -10,6 +10,7 @@
 #include <memory>
 #include <string>
 
+#include "cosim/net/generic_address.hpp"
 #include "cosim/text/input_error.hpp"
 #include "tests/cosim/support/temp_folder.hpp"
 
@@ -48,7 +49,7 @@ TEST(Listener, ListensOnLoopbackOnly) {
   const Listener listener{parse_listen_address("tcp:0")};
   sockaddr_in name{};
   socklen_t size = sizeof name;
-  ASSERT_EQ(getsockname(listener.socket().get(), reinterpret_cast<sockaddr*>(&name), &size), 0);
+  ASSERT_EQ(getsockname(listener.socket().get(), generic_address(name), &size), 0);
   EXPECT_EQ(name.sin_family, AF_INET);
   EXPECT_STREQ(inet_ntoa(name.sin_addr), "127.0.0.1");
   EXPECT_EQ(listener.name(), "tcp:" + std::to_string(ntohs(name.sin_port)));

@@ -8,6 +8,7 @@
 #include <thread>
 #include <utility>
 
+#include "cosim/net/generic_address.hpp"
 #include "cosim/net/stream_socket.hpp"
 
 namespace armature::cosim {
@@ -32,14 +33,14 @@ Pair tcp_pair(int family) {
     name.sin_family = AF_INET;
     name.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     name.sin_port = htons(port.port);
-    result = connect(far.get(), reinterpret_cast<sockaddr*>(&name), sizeof name);
+    result = connect(far.get(), generic_address(name), sizeof name);
   } else {
     // The address of version 4 in version 6, as many libraries connect.
     sockaddr_in6 name{};
     name.sin6_family = AF_INET6;
     name.sin6_addr = {{{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0xFF, 0xFF, 127, 0, 0, 1}}};
     name.sin6_port = htons(port.port);
-    result = connect(far.get(), reinterpret_cast<sockaddr*>(&name), sizeof name);
+    result = connect(far.get(), generic_address(name), sizeof name);
   }
   if (result != 0) return {};
   return {accepted(port), std::move(far)};

@@ -67,7 +67,7 @@ TEST_F(RunFactsMoves, AMoveWasBlendedOrStoppedAtItsEndOnlyIfItGotThere) {
     collector.add(given);
     report(MoveStarted{.kind = MoveKind::kLine, .tag = tag, .duration = Ticks{9}, .continues = continues});
   };
-  const auto expect_blended = [&](std::vector<std::optional<bool>> expected) {
+  const auto expect_blended = [&](const std::vector<std::optional<bool>>& expected) {
     const RunFacts facts = collector.facts();
     std::vector<std::optional<bool>> got;
     for (std::size_t i = 0; i < facts.moves.size(); ++i) got.push_back(facts.blended_with_next(i));

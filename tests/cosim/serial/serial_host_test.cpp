@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "cosim/net/file_descriptor.hpp"
+#include "cosim/net/generic_address.hpp"
 #include "cosim/serial/host_port.hpp"
 #include "cosim/text/input_error.hpp"
 #include "tests/cosim/support/temp_folder.hpp"
@@ -43,7 +44,7 @@ FileDescriptor connect_to(const std::string& place) {
   address.sin_port = htons(static_cast<std::uint16_t>(std::stoi(place.substr(place.find(':') + 1))));
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
   FileDescriptor client{socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)};
-  EXPECT_EQ(connect(client.get(), reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
+  EXPECT_EQ(connect(client.get(), generic_address(address), sizeof address), 0);
   return client;
 }
 
@@ -199,7 +200,7 @@ TEST(HostPty, ReplacesALinkThatIsLeftOverButNothingElse) {
   const TempFolder folder;
   const fs::path link = folder.path() / "arm";
   fs::create_symlink("/dev/pts/99999", link);
-  HostPort{open_host_channel("pty:" + link.string())};
+  EXPECT_NO_THROW(HostPort{open_host_channel("pty:" + link.string())});
   folder.write("file", "precious");
   fs::create_symlink("file", link);
   for (const fs::path& taken : {link, folder.path() / "file"}) {

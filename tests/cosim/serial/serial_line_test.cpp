@@ -31,7 +31,7 @@ class Peer final : public SerialPeer {
 
 class SerialLineTest : public testing::Test {
  protected:
-  void make(std::vector<SerialSendSpec> sends, SerialPeer* peer = nullptr) {
+  void make(const std::vector<SerialSendSpec>& sends, SerialPeer* peer = nullptr) {
     line_.emplace(
         kMillion, to_script(sends), [this](const SerialEvent& event) { events_.push_back(event); }, peer);
   }
