@@ -5,6 +5,7 @@
 
 #include "controller/base/math.hpp"
 #include "controller/kinematics/turns.hpp"
+#include "controller/motion/cordic_words.hpp"
 #include "controller/robot/axis_units.hpp"
 
 namespace armature {
@@ -37,13 +38,7 @@ CordicSolver::CordicSolver(RegisterBus& bus, const RobotModel& robot) noexcept
 void CordicSolver::start() noexcept {
   check_.usable = block_.identified();
   if (!check_.usable) return;
-  block_.set_geometry({.a1 = arm_.a1,
-                       .d1 = arm_.d1,
-                       .a2 = arm_.a2,
-                       .forearm = arm_.forearm,
-                       .a4 = arm_.a4,
-                       .hand = arm_.hand,
-                       .phi = arm_.phi});
+  block_.set_geometry(geometry_words(arm_));
 }
 
 RawTracking CordicSolver::track_in_software(const Transform& base_T_flange, const Theta& previous, double wrist_zone,

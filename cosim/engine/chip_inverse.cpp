@@ -5,38 +5,14 @@
 #include <utility>
 
 #include "controller/drivers/ik_cordic.hpp"
-#include "controller/hal/register_bus.hpp"
 #include "controller/kinematics/five_r.hpp"
 #include "controller/kinematics/fixed/fixed_point.hpp"
 #include "controller/kinematics/six_r.hpp"
+#include "controller/motion/cordic_words.hpp"
+#include "cosim/engine/chip_bus.hpp"
 
 namespace armature::cosim {
 namespace {
-
-// The accesses of a core, one after the other. An access that fails reads 0.
-class ChipBus final : public RegisterBus {
- public:
-  explicit ChipBus(Soc& soc) : soc_{soc} {}
-
-  std::uint32_t read32(RegAddr addr) noexcept override { return access({.write = false, .addr = addr.value}); }
-  void write32(RegAddr addr, std::uint32_t value) noexcept override {
-    access({.write = true, .addr = addr.value, .data = value});
-  }
-  Interrupts wait_for_interrupt(Interrupts /*mask*/) noexcept override { return Interrupts::kNone; }
-  void send_event() noexcept override {}
-  Cycles now() noexcept override { return soc_.now(); }
-  void charge(Work /*work*/, std::int64_t /*times*/) noexcept override {}
-
- private:
-  std::uint32_t access(const BusRequest& request) {
-    soc_.start(request);
-    soc_.advance(soc_.now() + soc_.access_timeout(), StopOn::kAccess);
-    const auto response = soc_.pop_response();
-    return response ? response->data : 0;
-  }
-
-  Soc& soc_;
-};
 
 constexpr std::int8_t sign(std::size_t index, std::size_t bit) {
   return (index & bit) != 0 ? std::int8_t{-1} : std::int8_t{1};
@@ -77,13 +53,7 @@ RawSolutions ChipInverse::inverse(const Transform& base_T_flange, const Theta& p
 
   ChipBus bus{*soc_};
   IkCordic block{bus};
-  block.set_geometry({.a1 = arm->a1,
-                      .d1 = arm->d1,
-                      .a2 = arm->a2,
-                      .forearm = arm->forearm,
-                      .a4 = arm->a4,
-                      .hand = arm->hand,
-                      .phi = arm->phi});
+  block.set_geometry(geometry_words(*arm));
   const Cycles begin = bus.now();
   for (std::size_t i = 0; i < pose->rotation.size(); ++i) block.set_rotation(i, pose->rotation[i]);
   for (std::size_t i = 0; i < pose->position.size(); ++i) block.set_position(i, pose->position[i]);

@@ -12,7 +12,9 @@
 #include "controller/kinematics/five_r.hpp"
 #include "controller/kinematics/fixed/fixed_point.hpp"
 #include "controller/kinematics/six_r.hpp"
+#include "controller/motion/cordic_words.hpp"
 #include "controller/regs/soc_map.hpp"
+#include "cosim/engine/chip_bus.hpp"
 #include "cosim/engine/make_soc.hpp"
 #include "tests/controller/support/five_r_rig.hpp"
 #include "tests/controller/support/six_r_rig.hpp"
@@ -23,43 +25,11 @@ namespace {
 
 namespace ik = model::ik;
 
-// The accesses of a core, one after the other.
-class ChipBus final : public RegisterBus {
- public:
-  explicit ChipBus(Soc& soc) : soc_{soc} {}
-
-  std::uint32_t read32(RegAddr addr) noexcept override { return access({.write = false, .addr = addr.value}); }
-  void write32(RegAddr addr, std::uint32_t value) noexcept override {
-    access({.write = true, .addr = addr.value, .data = value});
-  }
-  Interrupts wait_for_interrupt(Interrupts /*mask*/) noexcept override { return Interrupts::kNone; }
-  void send_event() noexcept override {}
-  Cycles now() noexcept override { return soc_.now(); }
-  void charge(Work /*work*/, std::int64_t /*times*/) noexcept override {}
-
- private:
-  std::uint32_t access(const BusRequest& request) {
-    soc_.start(request);
-    soc_.advance(soc_.now() + Cycles{1'000}, StopOn::kAccess);
-    const auto response = soc_.pop_response();
-    EXPECT_TRUE(response && response->error == BusError::kNone) << std::hex << request.addr;
-    return response ? response->data : 0;
-  }
-
-  Soc& soc_;
-};
-
 class IkCordicChip : public testing::TestWithParam<Engine> {
  protected:
   // Solves the pose in the chip. Every result has the bits of the model.
   ik::Solved solve_in_chip(const FixedArm& arm, const FixedPose& pose) {
-    driver_.set_geometry({.a1 = arm.a1,
-                          .d1 = arm.d1,
-                          .a2 = arm.a2,
-                          .forearm = arm.forearm,
-                          .a4 = arm.a4,
-                          .hand = arm.hand,
-                          .phi = arm.phi});
+    driver_.set_geometry(geometry_words(arm));
     for (std::size_t i = 0; i < pose.rotation.size(); ++i) driver_.set_rotation(i, pose.rotation[i]);
     for (std::size_t i = 0; i < pose.position.size(); ++i) driver_.set_position(i, pose.position[i]);
     driver_.set_previous({});
@@ -79,6 +49,8 @@ class IkCordicChip : public testing::TestWithParam<Engine> {
     }
     return solved;
   }
+
+  void TearDown() override { EXPECT_EQ(bus_.failures(), 0) << "accesses without an answer, or with an error"; }
 
   std::unique_ptr<Soc> soc_ = make_soc(Variant::kCounts, GetParam(), BusSpec{}, 1);
   ChipBus bus_{*soc_};
