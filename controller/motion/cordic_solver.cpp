@@ -19,7 +19,7 @@ constexpr double kAnyJoint = 0.013, kWrist = 0.03, kOverSine = 0.0075;
 // The block answers within half a tick, after far fewer reads of its status.
 constexpr int kMostReads = 300;
 
-std::variant<SixR, FiveR> family_of(const ArmGeometry& geometry) noexcept {
+std::variant<SixR, FiveR> solved_family(const ArmGeometry& geometry) noexcept {
   if (geometry.family == ArmFamily::kFiveR) return FiveR{geometry};
   return SixR{geometry};
 }
@@ -30,7 +30,7 @@ CordicSolver::CordicSolver(RegisterBus& bus, const RobotModel& robot) noexcept
     : bus_{bus},
       block_{bus},
       arm_{fixed_arm(robot.arm).value_or(FixedArm{})},
-      family_{family_of(robot.arm)},
+      family_{solved_family(robot.arm)},
       rad_per_pulse_{make_per_axis([&](std::size_t axis) {
         return axis < robot.axis_count ? std::fabs(AxisUnits{robot.axes[axis]}.rad_per_pulse()) : 1.0;
       })} {}

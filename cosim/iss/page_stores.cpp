@@ -7,6 +7,7 @@
 #include <dlfcn.h>
 #include <unicorn/unicorn.h>
 
+#include <bit>
 #include <cstdint>
 
 #if UC_API_MAJOR == 2 && UC_API_MINOR == 0
@@ -23,8 +24,8 @@ void tlb_set_dirty_arm(void* core, std::uint32_t address);  // of the library
 void tlb_set_page_with_attrs_arm(void* core, std::uint32_t address, std::uint64_t physical, unsigned attributes,
                                  int permissions, int mode, std::uint32_t bytes) {
   using Function = decltype(&tlb_set_page_with_attrs_arm);
-  static const auto original = reinterpret_cast<Function>(dlsym(RTLD_NEXT, "tlb_set_page_with_attrs_arm"));
-  original(core, address, physical, attributes, permissions, mode, bytes);
+  static const auto kOriginal = std::bit_cast<Function>(dlsym(RTLD_NEXT, "tlb_set_page_with_attrs_arm"));
+  kOriginal(core, address, physical, attributes, permissions, mode, bytes);
   tlb_set_dirty_arm(core, address);
 }
 }
