@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "controller/base/misfit.hpp"
 #include "controller/drivers/axi_gpio.hpp"
 #include "controller/kinematics/turns.hpp"
 #include "controller/trajectory/joint/joint_move.hpp"
@@ -15,10 +16,6 @@ namespace {
 constexpr double kMinOverride = 0.01;
 
 // Each check is written so that a NaN fails it.
-
-bool is_positive(double value) {
-  return value > 0.0 && std::isfinite(value);
-}
 
 bool is_share(double speed) {
   return speed > 0.0 && speed <= 1.0;

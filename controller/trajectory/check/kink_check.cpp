@@ -6,6 +6,50 @@
 #include "controller/base/timebase.hpp"
 
 namespace armature {
+namespace {
+
+// The acceleration along a plan, or the jerk where that is limited: constant from one point of the table to the next.
+class Law {
+ public:
+  explicit Law(const TimeTable& table) noexcept : table_{table} {}
+
+  double after(std::size_t i) const noexcept {
+    if (i + 1 >= table_.size()) return 0.0;
+    return table_[i].jerk != 0.0 ? table_[i].jerk : table_.accel(i);
+  }
+
+  double largest() const noexcept {
+    double most = 0.0;
+    for (std::size_t i = 0; i + 1 < table_.size(); ++i) most = std::max(most, std::fabs(after(i)));
+    return most;
+  }
+
+  // The largest difference from `before` within `longest_s` behind point `i`.
+  double change(std::size_t i, double before, double longest_s) const noexcept {
+    double most = 0.0;
+    for (std::size_t j = i; j < table_.size() && table_[j].t_s <= table_[i].t_s + longest_s; ++j) {
+      most = std::max(most, std::fabs(after(j) - before));
+    }
+    return most;
+  }
+
+  // Whether it is at least `least` anywhere from `before_s` before point `i` to `after_s` after it.
+  bool reaches(double least, std::size_t i, double before_s, double after_s) const noexcept {
+    const double from_s = table_[i].t_s - before_s, to_s = table_[i].t_s + after_s;
+    for (std::size_t j = i; j > 0 && table_[j].t_s > from_s; --j) {
+      if (std::fabs(after(j - 1)) >= least) return true;
+    }
+    for (std::size_t j = i; j < table_.size() && table_[j].t_s < to_s; ++j) {
+      if (std::fabs(after(j)) >= least) return true;
+    }
+    return false;
+  }
+
+ private:
+  const TimeTable& table_;
+};
+
+}  // namespace
 
 void KinkCheck::begin(const CartesianPlan& plan) noexcept {
   count_ = next_ = 0;
@@ -15,45 +59,24 @@ void KinkCheck::begin(const CartesianPlan& plan) noexcept {
 
 void KinkCheck::add_kinks(const TimeTable& table, bool in_window) noexcept {
   const std::int64_t first_tick = in_window ? kBefore + 1 : 0;
-  // Of the acceleration, or of the jerk where that is limited.
-  const auto law_after = [&](std::size_t i) {
-    if (i + 1 >= table.size()) return 0.0;
-    return table[i].jerk != 0.0 ? table[i].jerk : table.accel(i);
-  };
+  const Law law{table};
   // A smooth window has a kink at every point of its law, and between them its jerk is constant: any difference over
   // ticks is a mean of these.
   const double least_share = in_window && table.is_smooth() ? kLeastKinkOfJerk : kLeastKink;
-  // Core 1 has little time for a window: only single jumps count there.
+  // Core 1 has little time for a window: only single jumps count there, of the largest value of the window.
   const double longest_s = in_window ? 0.0 : kTickSeconds;
-  double most = 0.0;
-  for (std::size_t i = 0; i + 1 < table.size(); ++i) most = std::max(most, std::fabs(law_after(i)));
-  // The largest change up to this time behind `i`.
-  const auto change = [&](std::size_t i, double before) {
-    double largest = 0.0;
-    for (std::size_t j = i; j < table.size() && table[j].t_s <= table[i].t_s + longest_s; ++j) {
-      largest = std::max(largest, std::fabs(law_after(j) - before));
-    }
-    return largest;
-  };
-  // Whether the law is at least `least` at a time that the differences around `i` contain.
-  const auto reaches = [&](std::size_t i, double least) {
-    if (in_window) return most >= least;
-    const double from_s = table[i].t_s - kBefore * kTickSeconds, to_s = table[i].t_s + kAfter * kTickSeconds;
-    for (std::size_t j = i; j > 0 && table[j].t_s > from_s; --j) {
-      if (std::fabs(law_after(j - 1)) >= least) return true;
-    }
-    for (std::size_t j = i; j < table.size() && table[j].t_s < to_s; ++j) {
-      if (std::fabs(law_after(j)) >= least) return true;
-    }
-    return false;
-  };
+  const double most = law.largest();
   double before = 0.0;
   for (std::size_t i = 0; i < table.size(); ++i) {
     const auto tick = static_cast<std::int64_t>(table[i].t_s / kTickSeconds);
-    const double size = change(i, before);
-    const bool counts = tick >= first_tick && size > kLeastOfAll * most && !reaches(i, size / least_share);
+    const double size = law.change(i, before, longest_s);
+    const double least = size / least_share;
+    // The differences around the kink contain the law from kBefore ticks before it to kAfter ticks after it.
+    const bool counts =
+        tick >= first_tick && size > kLeastOfAll * most &&
+        (in_window ? most < least : !law.reaches(least, i, kBefore * kTickSeconds, kAfter * kTickSeconds));
     if (counts && (count_ == 0 || kinks_[count_ - 1] != tick)) kinks_[count_++] = tick;
-    before = law_after(i);
+    before = law.after(i);
   }
 }
 

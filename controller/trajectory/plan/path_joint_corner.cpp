@@ -76,13 +76,13 @@ struct TickMotion {
 
   // `before`: the set-points before the last one. Each difference needs one more.
   [[nodiscard]] bool keeps_limits(const AxisModel& model, bool with_jerk, int before) const noexcept {
-    constexpr double kRounding = 1e-6, kJerkRounding = 1e-3;
+    constexpr double kLimitRounding = 1e-6, kJerkRounding = 1e-3;
     constexpr double kTick2 = kTickSeconds * kTickSeconds;
     const auto exceeds = [](double size, double limit, double rounding) {
       return !(std::fabs(size) <= limit * (1.0 + rounding));
     };
-    if (before > 0 && exceeds(speed, AxisUnits{model}.max_speed_rad_s() * kTickSeconds, kRounding)) return false;
-    if (before > 1 && exceeds(accel, model.max_accel_rad_s2 * kTick2, kRounding)) return false;
+    if (before > 0 && exceeds(speed, AxisUnits{model}.max_speed_rad_s() * kTickSeconds, kLimitRounding)) return false;
+    if (before > 1 && exceeds(accel, model.max_accel_rad_s2 * kTick2, kLimitRounding)) return false;
     return !(with_jerk && before > 2 && exceeds(jerk, model.max_jerk_rad_s3 * kTick2 * kTickSeconds, kJerkRounding));
   }
 };
