@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdint>
 
-#include "tests/controller/support/draws.hpp"
 #include "tests/support/split_mix.hpp"
 
 namespace armature::cosim {
@@ -20,7 +19,7 @@ constexpr std::uint64_t kSwitchesSeed = 11;
 TEST(AxisSwitches, AreActiveAtTheCountsWhoseAngleIsInTheirRange) {
   SplitMix random{kSwitchesSeed};
   const auto angle = [&random] { return (static_cast<double>(random.below(400'001)) - 200'000.0) * 1e-3; };
-  for (int i = 0; i < armature::test::draws(400); ++i) {
+  for (int i = 0; i < 400; ++i) {
     const double gear = random.below(2) == 0 ? 50.0 : -0.37 * static_cast<double>(1 + random.below(300));
     const double deg_per_count = 360.0 / (gear * 4.0 * static_cast<double>(1 + random.below(5000)));
     AxisSpec spec;

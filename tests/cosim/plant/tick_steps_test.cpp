@@ -12,7 +12,6 @@
 #include "cosim/plant/counts_per_rev.hpp"
 #include "cosim/plant/independent_axes.hpp"
 #include "cosim/plant/position_loop.hpp"
-#include "tests/controller/support/draws.hpp"
 #include "tests/support/split_mix.hpp"
 
 namespace armature::cosim {
@@ -136,7 +135,7 @@ class OneByOne {
 TEST(TickSteps, AreTheStepsAndPulsesOneByOne) {
   SplitMix random{kTickStepsSeed};
   TickSteps got;
-  for (int i = 0; i < armature::test::draws(3000); ++i) {
+  for (int i = 0; i < 3000; ++i) {
     SCOPED_TRACE(testing::Message() << "seed " << kTickStepsSeed << ", tick " << i);
     SixMotors bench{random_robot(random)};
     Shafts shafts = random.below(8) == 0 ? Shafts{} : random_shafts(random);
@@ -165,7 +164,7 @@ TEST(TickSteps, AreTheStepsAndPulsesOneByOne) {
 
 TEST(TickSteps, SeveralPulsesAtOnceAreRoundedAsOneByOne) {
   SplitMix random{kTickStepsSeed + 1};
-  for (int i = 0; i < armature::test::draws(200'000); ++i) {
+  for (int i = 0; i < 200'000; ++i) {
     const double size = std::ldexp(1.0, static_cast<int>(random.below(28)) - 8);
     const double error = between(random, -size, size) + std::ldexp(1.0, -40) * static_cast<double>(random.below(4096));
     const double step = random.below(4) == 0 ? 0.8192 : 1.0;

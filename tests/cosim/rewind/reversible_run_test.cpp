@@ -82,7 +82,7 @@ TEST(ReversibleRun, HasTheSameStateFromBothSidesOnTheRtl) {
 // Also within a tick that the model would compute as a whole.
 TEST(ReversibleRun, HasTheStatesOfTheRtlOnTheModel) {
   const Scenario model = lively_on(Engine::kModel);
-  const std::vector<Cycles> cycles = random_cycles(model, 600);
+  const std::vector<Cycles> cycles = random_cycles(model, static_cast<std::size_t>(armature::test::draws(600)));
   EXPECT_TRUE(digests_of_plain_run(model, cycles) == digests_of_plain_run(lively_on(Engine::kRtl), cycles));
 }
 

@@ -10,7 +10,6 @@
 
 #include "controller/activity/jog/velocity_source.hpp"
 #include "controller/base/timebase.hpp"
-#include "tests/controller/support/draws.hpp"
 #include "tests/controller/support/path_rig.hpp"
 #include "tests/controller/support/random.hpp"
 
@@ -96,7 +95,7 @@ TEST(ToolVelocityJerk, IsKeptByAShortJog) {
 TEST(ToolVelocityJerk, IsKeptByRandomChangesOfAllVelocities) {
   constexpr double kMove = 60.0, kTurn = 0.3;
   test::Random random{920};
-  for (int draw = 0; draw < test::draws(60); ++draw) {
+  for (int draw = 0; draw < 60; ++draw) {
     const ToolVelocityLimits limits{.accel_mm_s2 = random.real(200, 1'000),
                                     .turn_accel_rad_s2 = random.real(1, 4),
                                     .jerk_mm_s3 = random.real(5'000, 30'000),

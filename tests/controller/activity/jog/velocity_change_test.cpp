@@ -11,7 +11,6 @@
 #include <limits>
 
 #include "controller/base/timebase.hpp"
-#include "tests/controller/support/draws.hpp"
 #include "tests/controller/support/random.hpp"
 
 namespace armature {
@@ -71,7 +70,7 @@ Limits limits_of(double accel, double jerk, double joint_accel) {
 
 TEST(VelocityChange, KeepsAccelerationAndJerkWheneverACommandComes) {
   test::Random random{909};
-  for (int draw = 0; draw < test::draws(400); ++draw) {
+  for (int draw = 0; draw < 400; ++draw) {
     Eigen::Matrix<double, 6, 6> jacobian;
     for (Eigen::Index i = 0; i < 36; ++i) jacobian(i) = random.real(-1.0, 1.0) * (i < 18 ? 1e-3 : 1.0);
     const Limits limits = limits_of(random.real(200, 2'000), random.real(2'000, 50'000), random.real(1.0, 20.0));
@@ -132,7 +131,7 @@ TEST(VelocityChange, GoesOnWithItsAccelerationWhenTheCommandGoesFurther) {
 // Along one axis the velocity stays between what was commanded, also when a command comes with a far smaller jerk.
 TEST(VelocityChange, NeverRunsBeyondTheCommandsWhateverTheirJerk) {
   test::Random random{910};
-  for (int draw = 0; draw < test::draws(400); ++draw) {
+  for (int draw = 0; draw < 400; ++draw) {
     ChangingVelocity moving{Eigen::Matrix<double, 6, 6>::Zero()};
     double least = 0.0, most = 0.0;
     for (int change = 0; change < 8; ++change) {
