@@ -5,8 +5,9 @@
 //
 //   Answer edge(Cycles at, const Strobes& access, const Inputs& inputs);
 //     Computes the clock edge `at`. Inputs: a struct of the block, with the levels before the edge. Edges come in
-//     order. An edge may be left out when it has no access, its inputs are those of the latest computed edge, and it is
-//     earlier than wakes_at(). An edge that is computed although it could be left out changes nothing.
+//     order. An edge may be left out when it has no access, its inputs are those of the latest computed edge, without
+//     its trigger (after_trigger()), and it is earlier than wakes_at(). An edge that is computed although it could be
+//     left out changes nothing.
 //   Cycles wakes_at() const;
 //     The next edge that must be computed though nothing changes from outside, later than the latest computed edge;
 //     kNever if there is none. So a block stores times of coming events instead of counters that run.
@@ -41,6 +42,13 @@ struct Strobes {
 
   [[nodiscard]] bool any() const { return read || write; }
 };
+
+// The inputs of the edges to come that may be left out, after an edge with these: a trigger is high at single edges.
+template <class Inputs>
+[[nodiscard]] constexpr Inputs after_trigger(Inputs inputs) {
+  if constexpr (requires { inputs.trigger; }) inputs.trigger = false;
+  return inputs;
+}
 
 // The answer to the accesses of one clock edge. A member without its strobe means nothing.
 struct Answer {

@@ -27,6 +27,8 @@ class Logic {
   using Accesses = std::array<Strobes, kBlocks>;  // by port of the crossbar, as kBases
   using Answers = std::array<Answer, kBlocks>;
 
+  Logic() { show_outputs(kAllPorts); }
+
   void set_inputs(const SocInputs& inputs) {
     in_ = inputs;
     wakes_known_ = false;
@@ -59,7 +61,7 @@ class Logic {
     answers[3] = pulses_.edge(now_, pulses, access[3]);
     variant_.edge(now_, in_, decoder, &access[4], &answers[4]);
     wakes_known_ = false;
-    return show_outputs();
+    return show_outputs(kAllPorts);
   }
 
   // The next edge, without an access: only blocks that must be computed are.
@@ -69,7 +71,12 @@ class Logic {
     // All levels before the edge.
     const PulseInputs pulses = pulse_inputs();
     const DecoderInputs decoder = decoder_inputs();
-    const auto is_due = [this](std::size_t port) { return wakes_[port] <= now_; };
+    std::uint32_t due = 0;
+    const auto is_due = [&](std::size_t port) {
+      const bool is = wakes_[port] <= now_;
+      due |= static_cast<std::uint32_t>(is) << port;
+      return is;
+    };
     const bool gpio = is_due(0), timer = is_due(1), uart = is_due(2), generators = is_due(3), decoders = is_due(4),
                kinematics = is_due(5);
     if (gpio) gpio_.edge(now_, gpio_inputs(), {});
@@ -81,7 +88,7 @@ class Logic {
       std::array<Answer, kBlocks - 4> answers;
       variant_.edge(now_, in_, decoder, none.data(), answers.data());
     }
-    const bool changed = show_outputs();
+    const bool changed = show_outputs(due);
     if (gpio) wakes_[0] = gpio_.wakes_at(now_, gpio_inputs());
     if (timer) wakes_[1] = timer_.wakes_at(now_, timer_inputs());
     if (uart) wakes_[2] = uart_.wakes_at(now_, uart_inputs());
@@ -132,7 +139,7 @@ class Logic {
         if constexpr (Variant::kHasIk) of(variant_.ik());
         return false;  // its interrupt follows at the next edge
     }
-    if (!shows || !show_outputs()) return false;
+    if (!shows || !show_outputs(1u << port)) return false;
     wakes_known_ = false;
     return true;
   }
@@ -161,7 +168,7 @@ class Logic {
   }
   [[nodiscard]] const Variant& variant() const { return variant_; }
   // The outputs after edges of the pulses that were computed late.
-  void sample_again() { outputs_ = sample(); }
+  void sample_again() { show_outputs(kAllPorts); }
 
   // The ports of the blocks that have the gated clock of `group`, one bit each.
   [[nodiscard]] static constexpr std::uint32_t ports_of(ClockGroup group) {
@@ -170,6 +177,7 @@ class Logic {
   }
 
  private:
+  static constexpr std::uint32_t kAllPorts = (1u << kBlocks) - 1;
   // The blocks behind these ports can have an edge alone; those of the paper's decoder cannot.
   static constexpr std::size_t kQuickPorts = Variant::kHasIk ? kBlocks : 4;
 
@@ -217,29 +225,36 @@ class Logic {
     return changed;
   }
 
-  // Returns whether an output has changed.
-  bool show_outputs() {
-    const SocOutputs before = std::exchange(outputs_, sample());
-    return before != outputs_;
-  }
-
-  [[nodiscard]] SocOutputs sample() const {
-    const auto& pulses = pulses_.block();
+  // The outputs of the blocks behind these ports, one bit each. Returns whether an output has changed.
+  bool show_outputs(std::uint32_t ports) {
+    bool changed = false;
+    const auto show = [&changed](auto& pin, auto level) {
+      changed |= pin != level;
+      pin = level;
+    };
+    if ((ports & 1u) != 0) show(outputs_.gpio, gpio_.block().driven());
+    if ((ports & 2u) != 0) {
+      show(outputs_.pwm, timer_.block().pwm());
+      show(outputs_.trigger, timer_.block().trigger());
+    }
+    if ((ports & 4u) != 0) {
+      show(outputs_.uart_txd, uart_.block().txd());
+      show(outputs_.uart_rts_n, uart_.block().rts_n());
+      show(outputs_.uart_dtr_n, uart_.block().dtr_n());
+    }
+    if ((ports & 8u) != 0) {
+      const auto& pulses = pulses_.block();
+      show(outputs_.step, pulses.step());
+      show(outputs_.dir, pulses.dir());
+      show(outputs_.servo_on, pulses.servo_on());
+      show(outputs_.heartbeat, pulses.heartbeat());
+    }
     const auto irq = [](bool level, std::uint32_t line) { return (level ? 1u : 0u) << line; };
-    return {.step = pulses.step(),
-            .dir = pulses.dir(),
-            .servo_on = pulses.servo_on(),
-            .heartbeat = pulses.heartbeat(),
-            .uart_txd = uart_.block().txd(),
-            .uart_rts_n = uart_.block().rts_n(),
-            .uart_dtr_n = uart_.block().dtr_n(),
-            .gpio = gpio_.block().driven(),
-            .pwm = timer_.block().pwm(),
-            .trigger = timer_.block().trigger(),
-            .irq = static_cast<std::uint8_t>(irq(gpio_.block().irq(), regs::soc::kAxiGpioIrq) |
-                                             irq(timer_.block().irq(), regs::soc::kAxiTimerIrq) |
-                                             irq(uart_.block().irq(), regs::soc::kAxiUart16550Irq) |
-                                             irq(variant_.ik_irq(), regs::soc::kIkCordicIrq))};
+    show(outputs_.irq, static_cast<std::uint8_t>(irq(gpio_.block().irq(), regs::soc::kAxiGpioIrq) |
+                                                 irq(timer_.block().irq(), regs::soc::kAxiTimerIrq) |
+                                                 irq(uart_.block().irq(), regs::soc::kAxiUart16550Irq) |
+                                                 irq(variant_.ik_irq(), regs::soc::kIkCordicIrq)));
+    return changed;
   }
 
   SocInputs in_;
@@ -248,7 +263,7 @@ class Logic {
   Slot<AxiUart16550, UartInputs> uart_;
   Slot<typename Variant::Pulses, PulseInputs> pulses_;
   Variant variant_;
-  SocOutputs outputs_ = sample();
+  SocOutputs outputs_;
   Cycles now_{};
   // The next edges that the blocks must compute, by port; [4] is of all decoders, [5] of ik_cordic.
   mutable std::array<Cycles, 6> wakes_{};

@@ -21,7 +21,7 @@ class LogicMotion final : public MotionPort {
   [[nodiscard]] DecoderTimes decoder_times() const override {
     return {.latency = encoder().latency(), .history = encoder().history()};
   }
-  [[nodiscard]] std::optional<TickPulses> begin() const override { return logic_.pulses().whole_tick(logic_.now()); }
+  [[nodiscard]] std::optional<TickPulses> begin() const override { return std::as_const(logic_).pulses().whole_tick(logic_.now()); }
   [[nodiscard]] bool leave_out(const LineHistory& history) override {
     if (!logic_.variant().encoder().leave_out_lines(logic_.now(), history)) return false;
     logic_.pulses().leave_out_generators(logic_.now());
@@ -48,8 +48,9 @@ class LogicMotion final : public MotionPort {
   [[nodiscard]] StepPins step_pins() const override {
     StepPins pins;
     for (std::size_t i = 0; i < kAxes; ++i) {
-      pins.changed[i] = logic_.pulses().axis(i).changed_at();
-      pins.turned[i] = logic_.pulses().axis(i).turned_at(logic_.pulses().times());
+      const PulseTrain& pulses = std::as_const(logic_).pulses();
+      pins.changed[i] = pulses.axis(i).changed_at();
+      pins.turned[i] = pulses.axis(i).turned_at(pulses.times());
     }
     return pins;
   }

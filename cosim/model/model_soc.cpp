@@ -77,17 +77,20 @@ class ModelSoc final : public Soc {
   }
 
   Progress access(const BusRequest& request, Cycles at, Cycles limit) override {
-    QuickAccess access = quick_access(request, at - stood_, times_, Variant::kBases);
-    const bool alone = quick_ && clock_running_ && is_silent() && access.port && access.ends + stood_ <= limit &&
-                       logic_.wakes_at() > access.executed;
+    const std::optional<std::size_t> port = port_of(request.addr, Variant::kBases);
+    const Cycles start = at - stood_, executed = start + times_.executed;
+    const Cycles ends = start + (request.write ? times_.write_ends : times_.read_ends);
+    const bool alone = quick_ && clock_running_ && is_silent() && port && ends + stood_ <= limit &&
+                       logic_.wakes_at() > executed;
     if (!alone) [[unlikely]]
       return Soc::access(request, at, limit);
-    const bool changed = logic_.access(*access.port, access.executed, access.strobes(), access.answer);
+    Answer answer;
+    const bool changed = logic_.access(*port, executed, strobes_of(request), answer);
     const Cycles quiet_until = logic_.wakes_at();
-    if (changed || quiet_until <= access.ends) [[unlikely]]
-      return disturbed(access, changed, limit);
-    logic_.pass(access.ends);
-    return {access.response(), false, access.ends + stood_, quiet_until + stood_};
+    if (changed || quiet_until <= ends) [[unlikely]]
+      return disturbed(request, start, answer, changed, limit);
+    logic_.pass(ends);
+    return {response_of(request, answer), false, ends + stood_, quiet_until + stood_};
   }
 
   [[nodiscard]] bool has_response() const override { return response_.has_value(); }
@@ -116,8 +119,9 @@ class ModelSoc final : public Soc {
   using Answers = typename Logic<Variant>::Answers;
 
   // The rest of an access that was executed, during which something else happens.
-  Progress disturbed(const QuickAccess& access, bool changed, Cycles limit) {
-    access_ = access;
+  Progress disturbed(const BusRequest& request, Cycles start, const Answer& answer, bool changed, Cycles limit) {
+    access_ = quick_access(request, start, times_, Variant::kBases);
+    access_->answer = answer;
     return changed ? Progress{.pins_changed = true} : continue_access(limit);
   }
 

@@ -16,6 +16,18 @@
 
 namespace armature::cosim::model {
 
+// What the block sees of it.
+[[nodiscard]] inline Strobes strobes_of(const BusRequest& request) {
+  const auto offset = static_cast<std::uint16_t>(request.addr);
+  if (request.write) return {.write = true, .waddr = offset, .wdata = request.data, .wstrb = request.strobes};
+  return {.read = true, .raddr = offset};
+}
+// What the processor receives from the block.
+[[nodiscard]] inline BusResponse response_of(const BusRequest& request, const Answer& answer) {
+  if (request.write) return {.error = answer.werr ? BusError::kSlaveError : BusError::kNone};
+  return {.error = answer.rerr ? BusError::kSlaveError : BusError::kNone, .data = answer.rdata};
+}
+
 struct QuickAccess {
   BusRequest request{};
   std::optional<std::size_t> port{};  // none: no block has the address
@@ -27,15 +39,10 @@ struct QuickAccess {
   // The next edge that must be computed for it.
   [[nodiscard]] Cycles next_edge(Cycles now) const { return port && now < executed ? executed : ends; }
 
-  [[nodiscard]] Strobes strobes() const {
-    const auto offset = static_cast<std::uint16_t>(request.addr);
-    if (request.write) return {.write = true, .waddr = offset, .wdata = request.data, .wstrb = request.strobes};
-    return {.read = true, .raddr = offset};
-  }
+  [[nodiscard]] Strobes strobes() const { return strobes_of(request); }
   [[nodiscard]] BusResponse response() const {
     if (!port) return {.error = BusError::kDecodeError};
-    if (request.write) return {.error = answer.werr ? BusError::kSlaveError : BusError::kNone};
-    return {.error = answer.rerr ? BusError::kSlaveError : BusError::kNone, .data = answer.rdata};
+    return response_of(request, answer);
   }
 };
 

@@ -12,7 +12,7 @@ class Slot {
   // The edge `at`. `in`: levels before it.
   Answer edge(Cycles at, const Inputs& in, const Strobes& access) {
     if (!access.any() && at < block_.wakes_at() && in == latest_) return {};
-    latest_ = in;
+    latest_ = after_trigger(in);
     return block_.edge(at, access, in);
   }
 

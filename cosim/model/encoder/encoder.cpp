@@ -44,7 +44,7 @@ Answer Encoder<kDecoders>::edge(Cycles at, const Strobes& access, const EncoderI
   cleared_faults_ = 0;
   if (access.write) answer.werr = write(access, in.servo_on != 0 && !unlocked_);
   set_faults(flagged.illegal, flagged.index, cleared_faults_, time);
-  wakes_at_ = in.trigger ? at + Cycles{1} : lines_act_ ? lines_wake(at, lines(in)) : kNever;
+  wakes_at_ = lines_act_ ? lines_wake(at, lines(in)) : kNever;
   return answer;
 }
 

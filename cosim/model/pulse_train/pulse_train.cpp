@@ -39,6 +39,10 @@ Answer PulseTrain::edge(Cycles at, const Strobes& access, const PulseInputs& in)
     find_wake(at, in);
     return answer;
   }
+  if (is_settled_ && !stopped && at < axes_wake_at_ && !access.any() && !in.trigger && pins_.are_settled(arm_pins(in))) {
+    stop_edge(at, control, in);
+    return answer;
+  }
   if (access.read) answer = read(at, word_offset(access.raddr));
   const std::uint8_t servo_pins = stop_.estop() || stop_.watchdog() ? std::uint8_t{0} : servo_on_;
 
@@ -62,6 +66,16 @@ Answer PulseTrain::edge(Cycles at, const Strobes& access, const PulseInputs& in)
   return answer;
 }
 
+// An edge at which nothing is due but the end of an own tick.
+void PulseTrain::stop_edge(Cycles at, const StopControl::Inputs& control, const PulseInputs& in) {
+  if (stop_.edge(at, control).watchdog) {
+    faults_.edge(at, kWatchdogFault, 0);
+    find_wake(at, in);
+  } else {
+    wakes_at_ = std::min(axes_wake_at_, stop_.wakes_at(at, control));
+  }
+}
+
 Answer PulseTrain::access(Cycles at, const Strobes& access, const PulseInputs&) {
   Answer answer;
   if (access.read) answer = read(at, word_offset(access.raddr));
@@ -71,6 +85,7 @@ Answer PulseTrain::access(Cycles at, const Strobes& access, const PulseInputs&) 
   if (element_at(word_offset(access.waddr), train_regs::kCountOffset))
     return answer;  // which acts when it is committed
   faults_.edge(at, 0, cleared_faults_);
+  is_settled_ = false;
   wakes_at_ = at + Cycles{1};
   return answer;
 }
@@ -127,11 +142,11 @@ void PulseTrain::find_axes_wake(Cycles at) {
 }
 
 void PulseTrain::find_wake(Cycles at, const PulseInputs& in) {
-  const StopControl::Inputs control = stop_inputs(in.trigger);
+  const StopControl::Inputs control = stop_inputs(false);
   const bool stops = stop_.stops(control);
   find_axes_wake(at);
   const auto runs = [](const PulseAxis& axis) { return axis.is_running(); };
-  const bool free_due = in.trigger || !pins_.are_settled(arm_pins(in)) || (stops && std::ranges::any_of(axes_, runs));
+  const bool free_due = !pins_.are_settled(arm_pins(in)) || (stops && std::ranges::any_of(axes_, runs));
   if (gated_clock_stopped_) {
     wakes_at_ = free_due ? at + Cycles{1} : axes_wake_at_;
     return;
@@ -139,6 +154,7 @@ void PulseTrain::find_wake(Cycles at, const PulseInputs& in) {
   const bool locked_out = stop_.estop() || stop_.watchdog();
   const bool due = free_due || orders_.any() || clipped_ || residual_ || (stops && bank_.pending) ||
                    servo_pins_ != (locked_out ? 0 : servo_on_);
+  is_settled_ = !due;
   wakes_at_ = due ? at + Cycles{1} : std::min(axes_wake_at_, stop_.wakes_at(at, control));
 }
 

@@ -23,7 +23,7 @@ class BlockLockstep : public VerilatedTest<Dut> {
   struct Copy {
     Block block{};
     cosim::model::BusPort port;
-    Inputs latest{};  // of the latest computed edge
+    Inputs latest{};  // of the latest computed edge, after its trigger
     std::int64_t computed = 0;
   };
 
@@ -151,7 +151,7 @@ class BlockLockstep : public VerilatedTest<Dut> {
     cosim::model::Answer answer;
     if (compute) {
       answer = copy.block.edge(at, copy.port.strobes(), inputs_);
-      copy.latest = inputs_;
+      copy.latest = cosim::model::after_trigger(inputs_);
       ++copy.computed;
     }
     if (gated_clock_runs_) copy.port.edge(pins, answer);
