@@ -82,6 +82,14 @@ using AxisIntegers = AxisLanes<std::int64_t>;
   return (mask[0] | mask[1]) != 0;
 }
 
+// ---- lanes from 0 to below 2^31
+
+// Rounded down to whole numbers.
+[[nodiscard]] inline Pair without_fraction(Pair pair) {
+  using Integers = std::int32_t __attribute__((vector_size(8)));
+  return __builtin_convertvector(__builtin_convertvector(pair, Integers), Pair);
+}
+
 // ---- lanes below 2^51 in magnitude
 
 inline constexpr double kWholeUnits = 0x1.8p52;  // numbers around it are whole, and their lowest bits count them

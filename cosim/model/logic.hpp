@@ -106,12 +106,13 @@ class Logic {
     return wakes_at() > next ? this->access(port, next, access, answer) : edge_of_all(port, access, answer);
   }
 
-  // The edge `at`, before wakes_at(), with an access at this port only.
-  bool access(std::size_t port, Cycles at, const Strobes& access, Answer& answer) {
+  // The edge `at`, before wakes_at(), with an access at this port only. A controller accesses registers so often that a
+  // call would cost as much as the work.
+  [[gnu::always_inline]] bool access(std::size_t port, Cycles at, const Strobes& access, Answer& answer) {
     pass(at - Cycles{1});
     if (port >= kQuickPorts) return edge_of_all(port, access, answer);
     now_ = at;
-    const auto of = [&](auto& slot) {
+    const auto of = [&](auto& slot) __attribute__((always_inline)) {
       answer = slot.access(now_, access);
       const Cycles before = std::exchange(wakes_[port], slot.block().wakes_at());
       if (wakes_[port] != before) next_wake_ = std::ranges::min(wakes_);

@@ -85,12 +85,12 @@ class ModelSoc final : public Soc {
     if (!alone) [[unlikely]]
       return Soc::access(request, at, limit);
     Answer answer;
-    const bool changed = logic_.access(*port, executed, strobes_of(request), answer);
-    const Cycles quiet_until = logic_.wakes_at();
-    if (changed || quiet_until <= ends) [[unlikely]]
-      return disturbed(request, start, answer, changed, limit);
+    bool changed = logic_.access(*port, executed, strobes_of(request), answer);
+    while (!changed && logic_.wakes_at() <= ends) changed = compute_next_edge();
+    if (changed) [[unlikely]]
+      return shown(request, start, answer);
     logic_.pass(ends);
-    return {response_of(request, answer), false, ends + stood_, quiet_until + stood_};
+    return {response_of(request, answer), false, ends + stood_, logic_.wakes_at() + stood_};
   }
 
   [[nodiscard]] bool has_response() const override { return response_.has_value(); }
@@ -118,11 +118,18 @@ class ModelSoc final : public Soc {
  private:
   using Answers = typename Logic<Variant>::Answers;
 
-  // The rest of an access that was executed, during which something else happens.
-  Progress disturbed(const BusRequest& request, Cycles start, const Answer& answer, bool changed, Cycles limit) {
+  // The edge of wakes_at().
+  bool compute_next_edge() {
+    logic_.pass(logic_.wakes_at() - Cycles{1});
+    return logic_.edge();
+  }
+
+  // An access that was executed, during which an output has changed at this edge.
+  Progress shown(const BusRequest& request, Cycles start, const Answer& answer) {
     access_ = quick_access(request, start, times_, Variant::kBases);
     access_->answer = answer;
-    return changed ? Progress{.pins_changed = true} : continue_access(limit);
+    if (access_->ends == logic_.now()) end_access();
+    return {.response = pop_response(), .pins_changed = true, .ends = now(), .quiet_until = quiet_until()};
   }
 
   // Whether neither handshakes nor a waveform need every edge.

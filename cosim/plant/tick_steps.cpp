@@ -88,7 +88,7 @@ bool TickSteps::take_until(Cycles at, std::span<const ServoDrive> drives, Shafts
   Pair most_of_pair{};
   for (std::size_t i = 0; i < kAxisPairs; ++i) {
     const Pair since = smaller(larger(elapsed - first_.pair(i), both(0.0)), window_.pair(i));
-    const Pair rises = rounded_down((edges_.pair(i) * since + rounding_.pair(i)) * per_two_windows_.pair(i));
+    const Pair rises = without_fraction((edges_.pair(i) * since + rounding_.pair(i)) * per_two_windows_.pair(i));
     more[i] = rises - taken_.pair(i);
     taken_.set_pair(i, rises);
     most_of_pair = larger(more[i], most_of_pair);
