@@ -21,7 +21,9 @@ class LogicMotion final : public MotionPort {
   [[nodiscard]] DecoderTimes decoder_times() const override {
     return {.latency = encoder().latency(), .history = encoder().history()};
   }
-  [[nodiscard]] std::optional<TickPulses> begin() const override { return std::as_const(logic_).pulses().whole_tick(logic_.now()); }
+  [[nodiscard]] std::optional<TickPulses> begin() const override {
+    return std::as_const(logic_).pulses().whole_tick(logic_.now());
+  }
   [[nodiscard]] bool leave_out(const LineHistory& history) override {
     if (!logic_.variant().encoder().leave_out_lines(logic_.now(), history)) return false;
     logic_.pulses().leave_out_generators(logic_.now());

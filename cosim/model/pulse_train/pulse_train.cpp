@@ -39,7 +39,8 @@ Answer PulseTrain::edge(Cycles at, const Strobes& access, const PulseInputs& in)
     find_wake(at, in);
     return answer;
   }
-  if (is_settled_ && !stopped && at < axes_wake_at_ && !access.any() && !in.trigger && pins_.are_settled(arm_pins(in))) {
+  if (is_settled_ && !stopped && at < axes_wake_at_ && !access.any() && !in.trigger &&
+      pins_.are_settled(arm_pins(in))) {
     stop_edge(at, control, in);
     return answer;
   }
