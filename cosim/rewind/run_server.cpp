@@ -15,6 +15,7 @@
 #include "cosim/rewind/run_digest.hpp"
 #include "cosim/rewind/run_messages.hpp"
 #include "cosim/run/run.hpp"
+#include "cosim/snapshot/point_pacing.hpp"
 #include "cosim/snapshot/return_points.hpp"
 
 namespace armature::cosim {
@@ -22,13 +23,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Host time between two points. It is longer in a long run, and where the host is slow, so that points cost a
-// twentieth of the time.
-constexpr Clock::duration kBetweenPoints = std::chrono::milliseconds{20};
-constexpr int kPartOfTheRun = 50;
-constexpr int kPartOfTheTime = 20;
-constexpr std::size_t kMaxPoints = 128;
-constexpr Cycles kFinest{kClkFreqHz / 1000};  // 1 ms: no point is nearer to the cycle that the run goes back to
+constexpr PointPacing::Rules kPacing{
+    .between = std::chrono::milliseconds{20}, .part_of_the_run = 50, .most = 128, .finest = kClkFreqHz / 1000};  // 1 ms
 
 class RunServer final : private RunListener {
  public:
@@ -60,7 +56,7 @@ class RunServer final : private RunListener {
   std::optional<RunAnswer> fulfil(const RunRequest& request) {
     if (request.kind == RunRequest::Kind::kFindCondition) condition(request).begin();
     work_begins_ = Clock::now();
-    gap_at_point_ = gap(request);
+    pacing_.begin_way(gap(request));
     std::optional<Cycles> found;
     while (!(found = find(request)) && run_.now() < request.to) {
       const bool continues = run_.advance(std::min(run_.now() + armature::kTickCycles, request.to));
@@ -100,27 +96,22 @@ class RunServer final : private RunListener {
   }
 
   [[nodiscard]] bool point_is_due(const RunRequest& request) const {
-    if (points_.count() >= max_points_) return false;
-    const Clock::duration since_point = worked_ - worked_at_point_;
-    if (since_point >= std::max({kBetweenPoints, worked_ / kPartOfTheRun, point_takes_ * kPartOfTheTime})) return true;
-    // Who goes back often does so again, by little.
-    const bool is_half_way = gap(request) <= gap_at_point_ / 2 && gap(request) >= kFinest.value();
-    return went_back_ && request.kind == RunRequest::Kind::kGoTo && is_half_way && since_point >= point_takes_;
+    const bool goes_back = went_back_ && request.kind == RunRequest::Kind::kGoTo;
+    return pacing_.is_due(worked_, points_.count(), goes_back ? std::optional{gap(request)} : std::nullopt);
   }
 
   // Returns whether the process was taken back here.
   bool take_point(const RunRequest& request) {
-    worked_at_point_ = worked_;
-    gap_at_point_ = gap(request);
+    pacing_.begin_point(worked_, gap(request));
     const Clock::time_point begin = Clock::now();
     try {
       if (!points_.mark(run_.now().value())) {
         work_begins_ = Clock::now();
-        point_takes_ = work_begins_ - begin;
+        pacing_.end_point(work_begins_ - begin);
         return false;
       }
     } catch (const std::runtime_error&) {
-      max_points_ = points_.count();  // the host allows no more; the way back is longer
+      pacing_.refused(points_.count());
       return false;
     }
     return went_back_ = true;
@@ -132,11 +123,10 @@ class RunServer final : private RunListener {
   RunDigest digest_;
   std::vector<Cycles> triggers_;  // of each tick
   Run run_;
-  Clock::duration worked_{}, worked_at_point_{}, point_takes_{};
+  PointPacing pacing_{kPacing};
+  Clock::duration worked_{};
   Clock::time_point work_begins_{};
-  std::size_t max_points_ = kMaxPoints;
-  std::int64_t gap_at_point_ = 0;  // at the latest point, or at the start of the request
-  bool went_back_ = false;         // for the present request
+  bool went_back_ = false;  // for the present request
 };
 
 }  // namespace

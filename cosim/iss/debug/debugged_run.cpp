@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <exception>
@@ -22,6 +21,7 @@
 #include "cosim/report/format/summary_text.hpp"
 #include "cosim/run/golden_listener.hpp"
 #include "cosim/run/run.hpp"
+#include "cosim/snapshot/point_pacing.hpp"
 #include "cosim/snapshot/return_points.hpp"
 
 namespace armature::cosim::iss {
@@ -29,14 +29,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Host time between two points to which the run can return. It is longer in a long run, and where the host is slow.
-constexpr Clock::duration kBetweenPoints = std::chrono::milliseconds{50};
-constexpr int kPartOfTheRun = 60;
-constexpr int kPartOfTheTime = 20;
-constexpr std::size_t kMaxPoints = 256;
-// On the way back there are more, at half of the way and so on: who goes back often does so again, by little.
-constexpr std::size_t kMorePoints = 32;
-constexpr std::int64_t kFinest = 20'000;  // instructions
+constexpr PointPacing::Rules kPacing{.between = std::chrono::milliseconds{50},
+                                     .part_of_the_run = 60,
+                                     .most = 256,
+                                     .more = 32,
+                                     .finest = 20'000};  // instructions
 
 class DebuggedRun final : private CoreWatcher {
  public:
@@ -166,32 +163,29 @@ class DebuggedRun final : private CoreWatcher {
   }
 
   [[nodiscard]] bool point_is_due() const {
-    if (inspector_->wave_is_on() || points_.count() >= max_points_ || point_ == position_) return false;
-    const Clock::duration worked = worked_ + (Clock::now() - since_);
-    if (goal_ && worked - worked_at_point_ >= point_takes_) {
-      const std::int64_t gap = *goal_ - position_;
-      if (gap >= kFinest && gap <= gap_at_point_ / 2) return true;
-    }
-    if (points_.count() >= kMaxPoints) return false;
-    return worked - worked_at_point_ >=
-           std::max({kBetweenPoints, worked / kPartOfTheRun, point_takes_ * kPartOfTheTime});
+    if (inspector_->wave_is_on() || point_ == position_) return false;
+    return pacing_.is_due(worked_ + (Clock::now() - since_), points_.count(), gap());
+  }
+
+  // To the goal, if there is one.
+  [[nodiscard]] std::optional<std::int64_t> gap() const {
+    return goal_ ? std::optional{*goal_ - position_} : std::nullopt;
   }
 
   // Returns once more each time that the process is taken back here.
   void take_point() {
     const Clock::time_point begin = Clock::now();
     worked_ += begin - std::exchange(since_, begin);
-    worked_at_point_ = worked_;
+    pacing_.begin_point(worked_, gap().value_or(0));
     point_ = position_;
-    if (goal_) gap_at_point_ = *goal_ - position_;
     try {
       if (points_.mark(position_)) {
         take_order();
       } else {
-        point_takes_ = Clock::now() - begin;
+        pacing_.end_point(Clock::now() - begin);
       }
     } catch (const std::runtime_error&) {
-      max_points_ = points_.count();  // the host allows no more; the way back is longer
+      pacing_.refused(points_.count());
     }
     since_ = Clock::now();
   }
@@ -203,7 +197,7 @@ class DebuggedRun final : private CoreWatcher {
     pending_.reset();
     found_.reset();
     goal_ = request.position;
-    gap_at_point_ = *goal_ - position_;
+    pacing_.begin_way(*gap());
     goal_stop_ = request.stop;
     searched_from_ = position_;
     searches_ = request.kind == DebugRequest::Kind::kSearchBack;
@@ -255,10 +249,9 @@ class DebuggedRun final : private CoreWatcher {
 
   // ---- back
   ReturnPoints points_;
-  std::size_t max_points_ = kMaxPoints + kMorePoints;
+  PointPacing pacing_{kPacing};
   std::int64_t point_ = -1;           // position of the latest point
   std::optional<std::int64_t> goal_;  // a position to stand at, of a run that was taken back
-  std::int64_t gap_at_point_ = 0;     // from the latest point to the goal
   Stop goal_stop_;                    // that is told there
   bool searches_ = false;             // up to the goal
   std::optional<Found> found_;        // the latest one
@@ -266,7 +259,6 @@ class DebuggedRun final : private CoreWatcher {
 
   Clock::time_point since_ = Clock::now();  // the run continues
   Clock::duration worked_{};                // before that
-  Clock::duration worked_at_point_{}, point_takes_{};
 };
 
 }  // namespace
