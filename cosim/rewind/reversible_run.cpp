@@ -7,6 +7,12 @@
 #include "cosim/time/never.hpp"
 
 namespace armature::cosim {
+namespace {
+
+constexpr const char* kProcessEnded = "the process of the run has ended";
+
+}  // namespace
+
 ReversibleRun::ReversibleRun(const Scenario& scenario, const std::vector<StopCondition*>& conditions) {
   auto [ours, of_run] = MessageChannel::pair();
   process_ = copy_this_process(of_run.descriptor());
@@ -44,10 +50,27 @@ bool ReversibleRun::go_behind(const RunAnswer& answer) {
   return answer.found.has_value();
 }
 
+ReversibleRun::Results ReversibleRun::finish() {
+  state_ = ask({.kind = RunRequest::Kind::kFinish, .to = kNever}).state;
+  Results results;
+  results.summary = receive_text();
+  results.trace = receive_text();
+  return results;
+}
+
+std::string ReversibleRun::receive_text() {
+  std::string text;
+  while (const auto part = channel_.receive<RunTextPart>()) {
+    text.append(part->text.data(), part->size);
+    if (part->size < part->text.size()) return text;
+  }
+  throw std::runtime_error{kProcessEnded};
+}
+
 RunAnswer ReversibleRun::ask(const RunRequest& request) {
   std::optional<RunAnswer> answer;
   if (channel_.send(request)) answer = channel_.receive<RunAnswer>();
-  if (!answer) throw std::runtime_error{"the process of the run has ended"};
+  if (!answer) throw std::runtime_error{kProcessEnded};
   if (answer->error[0] != '\0') throw std::runtime_error{answer->error.data()};
   return *answer;
 }

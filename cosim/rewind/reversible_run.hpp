@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "controller/base/units.hpp"
@@ -46,9 +47,18 @@ class ReversibleRun {
   // Returns whether it is met.
   bool advance_to(std::size_t condition, Cycles limit);
 
+  // Advances to the end of the run and ends it. The texts are those of summary.json and trace.csv of a run that went
+  // there directly and was not compared with its golden; only the figures under "host" differ. The run can be taken
+  // back afterwards, and be finished again.
+  struct Results {
+    std::string summary, trace;
+  };
+  [[nodiscard]] Results finish();
+
  private:
   RunAnswer ask(const RunRequest& request);
   bool go_behind(const RunAnswer& answer);
+  [[nodiscard]] std::string receive_text();
 
   MessageChannel channel_;
   pid_t process_ = 0;

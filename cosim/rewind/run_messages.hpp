@@ -16,6 +16,7 @@ struct RunRequest {
     kGoTo,           // the cycle `to`, forwards or backwards, or the end of the run before it
     kFindTick,       // the row of tick `what`
     kFindCondition,  // the condition number `what` is met
+    kFinish,         // the end of the run; the answer is followed by two texts, its summary and its trace
   };
   Kind kind = Kind::kGoTo;
   Cycles to{};            // of the others: the last cycle to look at
@@ -26,6 +27,12 @@ struct RunAnswer {
   RunState state;                 // kGoTo
   std::optional<Cycles> found{};  // of the others: in this cycle; none: not before the cycle `to` or the end
   std::array<char, 200> error{};  // '\0' ended; empty: none. The run cannot continue
+};
+
+// A text comes in parts, all full but the last one.
+struct RunTextPart {
+  std::uint32_t size = 0;
+  std::array<char, 60'000> text{};
 };
 
 }  // namespace armature::cosim

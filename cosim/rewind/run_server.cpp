@@ -9,11 +9,14 @@
 #include <exception>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 
 #include "controller/base/timebase.hpp"
+#include "cosim/report/format/json/summary_json.hpp"
 #include "cosim/rewind/run_digest.hpp"
 #include "cosim/rewind/run_messages.hpp"
+#include "cosim/rewind/trace_text.hpp"
 #include "cosim/run/run.hpp"
 #include "cosim/snapshot/point_pacing.hpp"
 #include "cosim/snapshot/return_points.hpp"
@@ -29,8 +32,9 @@ constexpr PointPacing::Rules kPacing{
 class RunServer final : private RunListener {
  public:
   RunServer(const Scenario& scenario, const std::vector<StopCondition*>& conditions, MessageChannel& channel)
-      : conditions_{conditions}, channel_{channel}, points_{channel.descriptor()}, run_{scenario} {
+      : conditions_{conditions}, channel_{channel}, points_{channel.descriptor()}, trace_{scenario}, run_{scenario} {
     run_.add(digest_);
+    run_.add(trace_);
     run_.add(*this);
     for (StopCondition* condition : conditions) run_.add(*condition);
   }
@@ -43,6 +47,10 @@ class RunServer final : private RunListener {
       const RunRequest request = channel_.receive<RunRequest>().value();
       if (const std::optional<RunAnswer> answer = fulfil(request)) {
         channel_.send(*answer);
+        if (request.kind == RunRequest::Kind::kFinish) {
+          send_text(*summary_);
+          send_text(trace_.text());
+        }
         went_back_ = false;
       }
     }
@@ -65,7 +73,17 @@ class RunServer final : private RunListener {
       if (point_is_due(request) && take_point(request)) return std::nullopt;
     }
     if (!found) found = find(request);
+    if (request.kind == RunRequest::Kind::kFinish && !summary_) summary_ = summary_json(run_.finish());
     return RunAnswer{.state = digest_.state(run_.look()), .found = found};
+  }
+
+  void send_text(std::string_view text) {
+    RunTextPart part;
+    do {
+      part.size = static_cast<std::uint32_t>(text.copy(part.text.data(), part.text.size()));
+      channel_.send(part);
+      text.remove_prefix(part.size);
+    } while (part.size == part.text.size());
   }
 
   [[nodiscard]] std::int64_t gap(const RunRequest& request) const { return (request.to - run_.now()).value(); }
@@ -73,6 +91,7 @@ class RunServer final : private RunListener {
   [[nodiscard]] std::optional<Cycles> find(const RunRequest& request) const {
     switch (request.kind) {
       case RunRequest::Kind::kGoTo:
+      case RunRequest::Kind::kFinish:
         break;
       case RunRequest::Kind::kFindTick: {
         const auto tick = static_cast<std::size_t>(request.what);
@@ -121,8 +140,10 @@ class RunServer final : private RunListener {
   MessageChannel& channel_;
   ReturnPoints points_;
   RunDigest digest_;
+  TraceText trace_;
   std::vector<Cycles> triggers_;  // of each tick
   Run run_;
+  std::optional<std::string> summary_;  // of the run, which has ended
   PointPacing pacing_{kPacing};
   Clock::duration worked_{};
   Clock::time_point work_begins_{};

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -143,6 +144,45 @@ TEST(ReversibleRun, ComesBackFromTheEnd) {
   const std::string end{run.state().digest_text()};
   EXPECT_FALSE(run.go_to(Cycles{10'000}).seen.over);
   EXPECT_EQ(run.go_to(kEndOfTime).digest_text(), end);
+}
+
+// Without the figures of the host: a look at a run costs it whole ticks.
+std::string without_host(const std::string& summary) {
+  auto values = nlohmann::ordered_json::parse(summary);
+  EXPECT_EQ(values.erase("host"), 1u);
+  return values.dump();
+}
+
+void expect_results_of_plain_run(Scenario scenario) {
+  scenario.trace.every_ticks = 1;
+  test::RecordedRun plain{scenario};
+  plain.run().advance(kEndOfTime);
+  const test::RunTexts wanted = plain.finish();
+  ReversibleRun run{scenario};
+  for (const Cycles cycle : random_cycles(scenario, 20)) run.go_to(cycle);
+  for (int time = 0; time < 2; ++time) {
+    const ReversibleRun::Results results = run.finish();
+    EXPECT_TRUE(run.state().seen.over);
+    EXPECT_EQ(without_host(results.summary), without_host(wanted.summary));
+    EXPECT_TRUE(results.trace == wanted.trace) << "other bytes";
+    EXPECT_GT(results.trace.size(), 200'000u) << "a text of several parts";
+    run.go_to(Cycles{1'234'567});
+    EXPECT_FALSE(run.state().seen.over);
+  }
+}
+
+TEST(ReversibleRun, HasTheResultsOfAPlainRunOnTheModel) {
+  expect_results_of_plain_run(lively_on(Engine::kModel));
+}
+
+TEST(ReversibleRun, HasTheResultsOfAPlainRunOnTheRtl) {
+  expect_results_of_plain_run(lively_on(Engine::kRtl));
+}
+
+TEST(ReversibleRun, IsFinishedOnceMoreAtItsEnd) {
+  ReversibleRun run{lively_on(Engine::kModel)};
+  const ReversibleRun::Results first = run.finish(), second = run.finish();
+  EXPECT_TRUE(first.summary == second.summary && first.trace == second.trace);
 }
 
 class OnFault final : public StopCondition {
