@@ -101,7 +101,7 @@ pid_t copy_this_process(int kept) {
   const std::vector<OpenFile> files = open_files();
   const pid_t original = ::getpid();
   const pid_t copy = ::fork();
-  if (copy < 0) fail(std::strerror(errno));
+  if (copy < 0) fail(fmt::format("{}; it needs more processes (ulimit -u) or more memory", std::strerror(errno)));
   if (copy > 0) return copy;
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   // The original may have ended before.

@@ -39,7 +39,7 @@ bool ReturnPoints::mark(std::int64_t key) {
       return true;  // this process continues itself
     }
     if (copy == 0) {
-      ++count_;
+      if (count_++ == 0) first_ = key;
       return again;
     }
     const int code = wait_for_end(copy);

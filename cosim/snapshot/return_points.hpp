@@ -27,7 +27,9 @@ class ReturnPoints {
   // gone back here; the points behind it are gone then, and so is this one if the host allows no further copy. Throws
   // std::runtime_error when the first copy cannot be made.
   bool mark(std::int64_t key);
-  // Goes back to the latest point whose key is not above `key`. Ends all processes when there is none.
+  // Whether there is a point whose key is not above `key`.
+  [[nodiscard]] bool can_go_back(std::int64_t key) const { return count_ > 0 && first_ <= key; }
+  // Goes back to the latest one. Ends all processes when there is none.
   [[noreturn]] void go_back(std::int64_t key);
 
   // Points that exist.
@@ -37,6 +39,7 @@ class ReturnPoints {
   int kept_;
   std::int64_t* wanted_;  // key of go_back(), in memory that all copies share
   std::size_t count_ = 0;
+  std::int64_t first_ = 0;  // key of the first one
 };
 
 }  // namespace armature::cosim

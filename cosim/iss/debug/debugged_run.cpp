@@ -121,12 +121,11 @@ class DebuggedRun final : private CoreWatcher {
     stand(core, found);
   }
 
-  void stand_at(ArmCore& core, const Stop& stop) noexcept {
-    stand(core, {.kind = DebugAnswer::Kind::kStopped,
-                 .stop = stop,
-                 .position = position_,
-                 .from = position_,
-                 .before = before_});
+  void stand_at(ArmCore& core, const Stop& stop) noexcept { stand(core, stopped(stop)); }
+
+  [[nodiscard]] DebugAnswer stopped(const Stop& stop) const {
+    return {
+        .kind = DebugAnswer::Kind::kStopped, .stop = stop, .position = position_, .from = position_, .before = before_};
   }
 
   // An exception must not pass through the engine.
@@ -140,8 +139,12 @@ class DebuggedRun final : private CoreWatcher {
       // A request to go back stays in the channel for the process that can fulfil it.
       const std::optional<DebugRequest> next = channel_.peek<DebugRequest>();
       if (!next) ::_exit(EXIT_SUCCESS);
-      if (goes_back(*next)) go_back(*next);
+      if (goes_back(*next) && points_.can_go_back(next->from)) go_back(*next);
       const DebugRequest request = channel_.receive<DebugRequest>().value();
+      if (goes_back(request)) {  // the host has allowed no point so early: the history begins here
+        channel_.send(stopped({.why = Stop::Why::kBeginning, .core = core.number()}));
+        continue;
+      }
       if (const std::optional<DebugAnswer> answer = fulfil(request)) channel_.send(*answer);
     } while (standing_ != nullptr);
     since_ = Clock::now();

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <sys/wait.h>
+#include <unistd.h>
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <random>
@@ -18,6 +20,7 @@
 #include "cosim/time/clock.hpp"
 #include "tests/controller/support/draws.hpp"
 #include "tests/cosim/run/recorded_run.hpp"
+#include "tests/cosim/snapshot/refused_copies.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -217,6 +220,20 @@ TEST(ReversibleRun, StopsBehindTheCycleThatMeetsACondition) {
   run.go_to(Cycles{0});
   EXPECT_TRUE(run.advance_to(1, kEndOfTime));
   EXPECT_EQ(run.state().seen.outputs.gpio, 2);
+}
+
+TEST(ReversibleRun, SaysWhatTheHostLacks) {
+  const auto run = [] {
+    test::refuse_copies();
+    try {
+      const ReversibleRun refused{lively_on(Engine::kModel)};
+    } catch (const std::runtime_error& error) {
+      std::fputs(error.what(), stderr);
+      ::_exit(0);
+    }
+    ::_exit(1);
+  };
+  EXPECT_EXIT(run(), testing::ExitedWithCode(0), "ulimit -u");
 }
 
 class Throws final : public StopCondition {

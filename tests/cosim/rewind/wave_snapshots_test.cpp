@@ -14,6 +14,7 @@
 #include "cosim/run/trace_listener.hpp"
 #include "cosim/time/clock.hpp"
 #include "tests/cosim/run/recorded_run.hpp"
+#include "tests/cosim/snapshot/refused_copies.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -90,6 +91,16 @@ TEST(WaveSnapshots, ShowAFaultWhileTheRunGoesOn) {
   EXPECT_TRUE(shown.early);
   EXPECT_EQ(shown.moment->what, "the fault estop");
   EXPECT_FALSE(has_child());
+}
+
+// The caller can write the waveform in a second run.
+TEST(WaveSnapshots, LeaveTheRunAloneWhereTheHostRefusesThem) {
+  const auto run = [] {
+    test::refuse_copies();
+    const Shown shown = with_snapshots(lively_rtl(), {.reason = WaveReason::kFault, .before = to_cycles(0.0005)});
+    ::_exit(shown.moment && !shown.early && !shown.until ? 0 : 1);
+  };
+  EXPECT_EXIT(run(), testing::ExitedWithCode(0), "");
 }
 
 TEST(WaveSnapshots, ShowTheBeginOfTheRunIfTheMomentIsEarly) {

@@ -24,6 +24,7 @@ struct Answer {
   bool back = false;  // of kMark
   std::int64_t remembered = 0;
   std::size_t points = 0;
+  bool can_go_back_to_five = false;
   pid_t process = 0;
 };
 
@@ -35,7 +36,11 @@ struct Answer {
     if (order->what == Order::What::kMark) back = points.mark(order->value);
     if (order->what == Order::What::kGoBack) points.go_back(order->value);
     if (order->what == Order::What::kRemember) remembered = order->value;
-    channel.send(Answer{.back = back, .remembered = remembered, .points = points.count(), .process = ::getpid()});
+    channel.send(Answer{.back = back,
+                        .remembered = remembered,
+                        .points = points.count(),
+                        .can_go_back_to_five = points.can_go_back(5),
+                        .process = ::getpid()});
   }
   ::_exit(0);
 }
@@ -71,6 +76,17 @@ class Forgetful {
   MessageChannel channel_;
   pid_t process_ = 0;
 };
+
+TEST(ReturnPoints, KnowHowFarBackTheyReach) {
+  Forgetful process;
+  EXPECT_FALSE(process.remember(1).can_go_back_to_five) << "without a point";
+  EXPECT_FALSE(process.mark(6).can_go_back_to_five);
+  EXPECT_FALSE(process.mark(7).can_go_back_to_five);
+  EXPECT_FALSE(process.go_back(6).can_go_back_to_five);
+  Forgetful other;
+  EXPECT_TRUE(other.mark(5).can_go_back_to_five);
+  EXPECT_TRUE(other.mark(6).can_go_back_to_five);
+}
 
 TEST(ReturnPoints, GoBackWithTheMemoryOfThePoint) {
   Forgetful process;

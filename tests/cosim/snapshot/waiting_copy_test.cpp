@@ -18,6 +18,7 @@
 
 #include "cosim/snapshot/copied_process.hpp"
 #include "tests/cosim/snapshot/processes.hpp"
+#include "tests/cosim/snapshot/refused_copies.hpp"
 #include "tests/cosim/support/temp_folder.hpp"
 
 namespace armature::cosim {
@@ -54,6 +55,21 @@ TEST(WaitingCopy, EachOfSeveralAnswersForItself) {
     ASSERT_TRUE(snapshots.at(static_cast<std::size_t>(which)).wake(5));
     EXPECT_EQ(snapshots.at(static_cast<std::size_t>(which)).answer<int>(), 50 + which);
   }
+}
+
+TEST(WaitingCopy, SaysWhatTheHostLacksForACopy) {
+  const auto take = [] {
+    test::refuse_copies();
+    try {
+      (void)take_snapshot();
+    } catch (const std::runtime_error& error) {
+      std::fputs(error.what(), stderr);
+      ::_exit(0);
+    }
+    ::_exit(1);
+  };
+  EXPECT_EXIT(take(), testing::ExitedWithCode(0),
+              "cannot copy this process: .*; it needs more processes \\(ulimit -u\\)");
 }
 
 TEST(WaitingCopy, LeavesNoProcess) {
