@@ -39,6 +39,10 @@ class OtherSoc final : public Soc, private MotionPort {
 
   Cycles now() const override { return soc_->now(); }
   bool advance(Cycles limit, StopOn stop_on) override { return soc_->advance(limit, stop_on); }
+  Cycles quiet_until() const override { return soc_->quiet_until(); }
+  Progress access(const BusRequest& request, Cycles at, Cycles limit) override {
+    return soc_->access(request, at, limit);
+  }
   void set_clock_running(bool running) override { soc_->set_clock_running(running); }
   void stop_clock_of(ClockGroup group) override { soc_->stop_clock_of(group); }
   bool idle() const override { return soc_->idle(); }

@@ -27,6 +27,21 @@ function(add_block_lockstep BLOCK)
            ${ARMATURE_ROOT}/tests/mutants/expect_killed.py)
 endfunction()
 
+# The test of whole ticks and of cores that run ahead, with the broken models in the simulation. The program has the woven
+# copies beside the library, which has the healthy ones: the linker takes the first.
+set(whole_ticks_test ${ARMATURE_ROOT}/tests/cosim/kernel/whole_ticks_test.cpp)
+set(woven ${woven_models}/cosim/model)
+add_executable(model_mutants_whole_ticks EXCLUDE_FROM_ALL ${whole_ticks_test} ${woven}/model_soc.cpp
+  ${woven}/encoder/encoder.cpp ${woven}/pulse_train/pulse_axis.cpp ${woven}/pulse_train/pulse_train.cpp)
+target_include_directories(model_mutants_whole_ticks BEFORE PRIVATE ${woven_models})
+target_link_libraries(model_mutants_whole_ticks PRIVATE armature_cosim GTest::gmock GTest::gtest_main)
+target_include_directories(model_mutants_whole_ticks SYSTEM PRIVATE $<TARGET_PROPERTY:model_arm_soc,INTERFACE_INCLUDE_DIRECTORIES>)
+target_compile_options(model_mutants_whole_ticks PRIVATE ${test_options} -Wno-shadow -Wno-parentheses)
+target_link_options(model_mutants_whole_ticks PRIVATE -Wl,--allow-multiple-definition)
+describe_gate(model_mutants.whole_ticks TARGETS model_mutants_whole_ticks PACKAGES python3.11
+  INPUTS ${CMAKE_CURRENT_LIST_DIR}/mutants.toml ${CMAKE_CURRENT_LIST_DIR}/weave.py
+         ${ARMATURE_ROOT}/tests/mutants/expect_killed.py)
+
 # add_model_mutant(<name> <number> <block> <GoogleTest filter>): passes if lock-step finds the mutant.
 function(add_model_mutant NAME NUMBER BLOCK KILLED_BY)
   add_test(NAME model_mutant.${NAME} COMMAND Python3::Interpreter -B ${ARMATURE_ROOT}/tests/mutants/expect_killed.py
