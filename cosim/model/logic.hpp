@@ -163,6 +163,9 @@ class Logic {
     return pulses_.block();
   }
   [[nodiscard]] const typename Variant::Pulses& pulses() const { return pulses_.block(); }
+  // The same blocks for what changes no edge that they must compute.
+  [[nodiscard]] typename Variant::Pulses& sleeping_pulses() { return pulses_.block(); }
+  [[nodiscard]] Variant& sleeping_variant() { return variant_; }
   [[nodiscard]] Variant& variant() {
     wakes_known_ = false;
     return variant_;

@@ -30,9 +30,9 @@ class LogicMotion final : public MotionPort {
     return true;
   }
   [[nodiscard]] bool expect(const PerAxis<Counts>& counts, const PerAxis<std::optional<Counts>>& index) override {
-    return logic_.variant().encoder().expect(counts, index);
+    return logic_.sleeping_variant().encoder().expect(counts, index);
   }
-  void finish(const TickPulses& pulses) override { logic_.pulses().finish_tick(pulses); }
+  void finish(const TickPulses& pulses) override { logic_.sleeping_pulses().finish_tick(pulses); }
 
   [[nodiscard]] bool disturbs(const BusRequest& request) const override {
     const std::uint32_t offset = word_offset(static_cast<std::uint16_t>(request.addr));
