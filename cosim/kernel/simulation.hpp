@@ -101,7 +101,7 @@ class Simulation final : private RunAhead {
   Outcome try_access(const BusRequest& request, Cycles at, Cycles horizon) override;
 
   [[nodiscard]] Cycles horizon_of_others() const;
-  [[nodiscard]] bool interrupts_fell() const;
+  void take_fallen_interrupts();
   Outcome continue_access(Soc::Progress progress, const BusRequest& request, Cycles at, Cycles horizon);
   Outcome end_access(const Soc::Progress& progress, const BusRequest& request, Cycles at, Cycles horizon);
 

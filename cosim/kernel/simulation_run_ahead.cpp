@@ -36,12 +36,10 @@ void Simulation::catch_up(Cycles until) {
   core_was_ahead_ = true;
 }
 
-// Whether interrupts have fallen, which wakes no core, and no other output has changed.
-bool Simulation::interrupts_fell() const {
-  SocOutputs others = soc_->outputs();
-  if ((others.irq & ~interrupts_) != 0) return false;
-  others.irq = seen_.irq;
-  return others == seen_;
+// Interrupts have fallen, and no other output has changed.
+void Simulation::take_fallen_interrupts() {
+  seen_.irq = interrupts_ = soc_->interrupts();
+  processor_->set_interrupts(interrupts_, now());
 }
 
 RunAhead::Outcome Simulation::try_access(const BusRequest& request, Cycles at, Cycles horizon) {
@@ -58,13 +56,14 @@ RunAhead::Outcome Simulation::try_access(const BusRequest& request, Cycles at, C
 // ends too late or with an error.
 RunAhead::Outcome Simulation::continue_access(Soc::Progress progress, const BusRequest& request, Cycles at,
                                               Cycles horizon) {
-  while (progress.pins_changed && !progress.response && interrupts_fell()) {
-    on_pins_changed();
+  while (progress.pins_changed && !progress.response && only_interrupts_fell(seen_, soc_->outputs())) {
+    take_fallen_interrupts();
     progress = soc_->continue_access(horizon - Cycles{1});
   }
   if (progress.response && !progress.pins_changed && progress.response->error == BusError::kNone) {
     return end_access(progress, request, at, horizon);
   }
+  if (progress.interrupts_fell) take_fallen_interrupts();
   access_ = Processor::Access{.core = 0, .request = request};
   access_since_ = at;
   response_ = progress.response;
@@ -75,6 +74,7 @@ RunAhead::Outcome Simulation::continue_access(Soc::Progress progress, const BusR
 RunAhead::Outcome Simulation::end_access(const Soc::Progress& progress, const BusRequest& request, Cycles at,
                                          Cycles horizon) {
   bus_time_[0] += progress.ends - at;
+  if (progress.interrupts_fell) take_fallen_interrupts();
   if (!check_access(request, *progress.response, progress.ends)) return {.access = Access::kBegun};  // the run is over
   return {Access::kDone, progress.response->data, progress.ends, std::min(horizon, progress.quiet_until)};
 }

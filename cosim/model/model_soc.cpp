@@ -85,12 +85,17 @@ class ModelSoc final : public Soc {
     if (!alone) [[unlikely]]
       return Soc::access(request, at, limit);
     Answer answer;
-    bool changed = logic_.access(*port, executed, strobes_of(request), answer);
-    while (!changed && logic_.wakes_at() <= ends) changed = compute_next_edge();
+    bool changed = logic_.access(*port, executed, strobes_of(request), answer), fell = false;
+    while (!changed && logic_.wakes_at() <= ends) {
+      const SocOutputs before = logic_.outputs();
+      if (!compute_next_edge()) continue;
+      changed = !only_interrupts_fell(before, logic_.outputs());
+      fell = true;
+    }
     if (changed) [[unlikely]]
       return shown(request, start, answer);
     logic_.pass(ends);
-    return {response_of(request, answer), false, ends + stood_, logic_.wakes_at() + stood_};
+    return {response_of(request, answer), false, fell, ends + stood_, logic_.wakes_at() + stood_};
   }
 
   [[nodiscard]] bool has_response() const override { return response_.has_value(); }
@@ -129,7 +134,11 @@ class ModelSoc final : public Soc {
     access_ = quick_access(request, start, times_, Variant::kBases);
     access_->answer = answer;
     if (access_->ends == logic_.now()) end_access();
-    return {.response = pop_response(), .pins_changed = true, .ends = now(), .quiet_until = quiet_until()};
+    return {.response = pop_response(),
+            .pins_changed = true,
+            .interrupts_fell = false,
+            .ends = now(),
+            .quiet_until = quiet_until()};
   }
 
   // Whether neither handshakes nor a waveform need every edge.

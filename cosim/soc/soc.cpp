@@ -10,7 +10,11 @@ Soc::Progress Soc::access(const BusRequest& request, Cycles at, Cycles limit) {
 
 Soc::Progress Soc::continue_access(Cycles limit) {
   const bool changed = advance(limit, StopOn::kPinChange);
-  return {.response = pop_response(), .pins_changed = changed, .ends = now(), .quiet_until = quiet_until()};
+  return {.response = pop_response(),
+          .pins_changed = changed,
+          .interrupts_fell = false,
+          .ends = now(),
+          .quiet_until = quiet_until()};
 }
 
 }  // namespace armature::cosim

@@ -26,6 +26,13 @@ enum class StopOn : std::uint8_t {
   kPinChange,  // a change of any output pin, interrupts included
 };
 
+// Whether the outputs have changed by interrupts that fell, and by nothing else.
+[[nodiscard]] inline bool only_interrupts_fell(SocOutputs before, const SocOutputs& after) {
+  if ((after.irq & ~before.irq) != 0) return false;
+  before.irq = after.irq;
+  return before == after;
+}
+
 class Soc {
  public:
   virtual ~Soc() = default;
@@ -60,10 +67,12 @@ class Soc {
   virtual std::optional<Cycles> start(const BusRequest& request) = 0;
 
   // advance(at, StopOn::kAccess), start(), then advance(limit, StopOn::kPinChange): in one call, because a processor
-  // that runs ahead does nothing else. No access is under way, and `at` is before quiet_until().
+  // that runs ahead does nothing else. No access is under way, and `at` is before quiet_until(). Where no other output
+  // has changed an engine may go on after interrupts have fallen, which wakes no core.
   struct Progress {
     std::optional<BusResponse> response{};  // if the access has ended
     bool pins_changed = false;              // an output has changed at the end
+    bool interrupts_fell = false;           // and it went on
     Cycles ends{};                          // now()
     Cycles quiet_until{};                   // quiet_until() if the access has ended
   };
