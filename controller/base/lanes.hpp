@@ -15,6 +15,13 @@ namespace armature::math {
 using Lanes = double __attribute__((vector_size(16)));
 using Masks = std::int64_t __attribute__((vector_size(16)));
 
+// Whether the processor computes both at once. If not, one after the other with branches takes fewer instructions.
+#ifdef __arm__
+inline constexpr bool kComputesLanes = false;
+#else
+inline constexpr bool kComputesLanes = true;
+#endif
+
 [[nodiscard]] inline Lanes all_lanes(double value) noexcept {
   return Lanes{value, value};
 }

@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <type_traits>
 
 #include "controller/base/double_bits.hpp"
 #include "controller/base/lanes.hpp"
@@ -139,6 +140,12 @@ struct Both {
 template <class V>
 Both<V> kernel_both(const Reduced<V>& r) {
   const V z = r.high * r.high;
+  if constexpr (!kComputesLanes && std::is_same_v<V, double>) {
+    const V of_sin = kernel_sin(r, z), of_cos = kernel_cos(r, z);
+    const bool odd = (r.quadrant & 1) != 0;
+    const V sin = odd ? of_cos : of_sin, cos = odd ? of_sin : of_cos;
+    return {(r.quadrant & 2) != 0 ? -sin : sin, ((r.quadrant + 1) & 2) != 0 ? -cos : cos};
+  }
   const auto s = std::bit_cast<Bits<V>>(kernel_sin(r, z));
   const auto c = std::bit_cast<Bits<V>>(kernel_cos(r, z));
   // Swapped in odd quadrants, by arithmetic, because the branch is not predictable.
@@ -220,7 +227,7 @@ SinCos sin_cos(double x) noexcept {
 
 void sin_cos_each(std::span<const double> x, std::span<SinCos> result) noexcept {
   std::size_t i = 0;
-  for (; i + 1 < x.size(); i += 2) {
+  for (; kComputesLanes && i + 1 < x.size(); i += 2) {
     const Lanes two{x[i], x[i + 1]};
     const Quarters<Lanes> q = quarters(two);
     // False for tiny and for NaN, too.
@@ -233,7 +240,7 @@ void sin_cos_each(std::span<const double> x, std::span<SinCos> result) noexcept 
       result[i + 1] = sin_cos(x[i + 1]);
     }
   }
-  if (i < x.size()) result[i] = sin_cos(x[i]);
+  for (; i < x.size(); ++i) result[i] = sin_cos(x[i]);
 }
 
 double hypot(double x, double y) noexcept {
