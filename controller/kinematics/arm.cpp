@@ -255,10 +255,25 @@ Singularity Arm::nearest_singularity(const JointAngles& joints, double near) con
 
 PerAxis<double> Arm::joint_rates(const JointAngles& joints, const Eigen::Vector3d& v_mm_s,
                                  const Eigen::Vector3d& w_rad_s) const noexcept {
+  return joint_rates(posture(joints), v_mm_s, w_rad_s);
+}
+
+SixRPosture Arm::posture(const JointAngles& joints) const noexcept {
+  const auto* six_r = std::get_if<SixR>(&family_);
+  return six_r != nullptr ? six_r->posture(to_theta(joints)) : SixRPosture{};
+}
+
+Transform Arm::flange_at(const SixRPosture& posture) const noexcept {
+  const auto* six_r = std::get_if<SixR>(&family_);
+  return six_r != nullptr ? six_r->flange_at(posture) : Transform{};
+}
+
+PerAxis<double> Arm::joint_rates(const SixRPosture& posture, const Eigen::Vector3d& v_mm_s,
+                                 const Eigen::Vector3d& w_rad_s) const noexcept {
   PerAxis<double> rates{};
   const auto* six_r = std::get_if<SixR>(&family_);
   if (six_r == nullptr) return rates;
-  rates = six_r->rates(to_theta(joints), v_mm_s, w_rad_s);
+  rates = six_r->rates(posture, v_mm_s, w_rad_s);
   for (std::size_t axis = 0; axis < kAxes; ++axis) rates[axis] *= geometry_.sign[axis];
   return rates;
 }

@@ -101,6 +101,11 @@ class Arm {
   // otherwise 0. Not finite at a singularity: check manipulability() first.
   [[nodiscard]] PerAxis<double> joint_rates(const JointAngles& joints, const Eigen::Vector3d& v_mm_s,
                                             const Eigen::Vector3d& w_rad_s) const noexcept;
+  // Both of several at one position: `posture` is that of the joints.
+  [[nodiscard]] SixRPosture posture(const JointAngles& joints) const noexcept;
+  [[nodiscard]] Transform flange_at(const SixRPosture& posture) const noexcept;
+  [[nodiscard]] PerAxis<double> joint_rates(const SixRPosture& posture, const Eigen::Vector3d& v_mm_s,
+                                            const Eigen::Vector3d& w_rad_s) const noexcept;
 
  private:
   [[nodiscard]] IkTracking soonest_of(const SixR& six_r, const Transform& base_T_flange,

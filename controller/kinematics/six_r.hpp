@@ -29,6 +29,7 @@
 #include "controller/kinematics/ik_result.hpp"
 #include "controller/kinematics/jacobian.hpp"
 #include "controller/kinematics/raw_solutions.hpp"
+#include "controller/kinematics/six_r_posture.hpp"
 #include "controller/kinematics/transform.hpp"
 #include "controller/robot/arm_geometry.hpp"
 
@@ -40,7 +41,8 @@ class SixR {
   explicit SixR(const ArmGeometry& geometry) noexcept;
 
   // base_T_flange, eq. (25) as R03 * R36. Angles within kLargestTheta_rad; the result is not finite far beyond.
-  [[nodiscard]] Transform forward(const Theta& theta) const noexcept;
+  [[nodiscard]] Transform forward(const Theta& theta) const noexcept { return flange_at(posture(theta)); }
+  [[nodiscard]] Transform flange_at(const SixRPosture& posture) const noexcept;
 
   // All branches. 8 where both shoulders reach, 4 where one does; one less for each flip pair that the wrist
   // singularity merges. forward() of each gives the pose back within 4e-15 (rotation) and 1e-12 of the reach, and
@@ -78,10 +80,15 @@ class SixR {
   [[nodiscard]] Manipulability manipulability(const Theta& theta) const noexcept;
   [[nodiscard]] RawSides sides(const Theta& theta) const noexcept;
 
+  [[nodiscard]] SixRPosture posture(const Theta& theta) const noexcept;
   // Joint rates [rad/s] for a velocity of the flange in the base frame: jacobian()^-1 in closed form. Not finite at a
   // singularity.
-  [[nodiscard]] Theta rates(const Theta& theta, const Eigen::Vector3d& v_mm_s,
+  [[nodiscard]] Theta rates(const SixRPosture& posture, const Eigen::Vector3d& v_mm_s,
                             const Eigen::Vector3d& w_rad_s) const noexcept;
+  [[nodiscard]] Theta rates(const Theta& theta, const Eigen::Vector3d& v_mm_s,
+                            const Eigen::Vector3d& w_rad_s) const noexcept {
+    return rates(posture(theta), v_mm_s, w_rad_s);
+  }
 
  private:
   class Arctangents;
@@ -90,7 +97,6 @@ class SixR {
   struct Elbow;
   struct Hand;
   struct Wrist;
-  struct Posture;
 
   [[nodiscard]] Eigen::Vector3d wrist_centre(const Transform& base_T_flange) const noexcept;
   [[nodiscard]] Shoulder shoulder(const Eigen::Vector3d& wrist, double previous_rad) const noexcept;
@@ -99,7 +105,6 @@ class SixR {
   void add_elbow(Arctangents& turns, const Triangle& triangle) const noexcept;
   [[nodiscard]] Elbow elbow(const Arctangents& turns, std::size_t first, const Triangle& triangle,
                             double previous_rad) const noexcept;
-  [[nodiscard]] Posture posture(const Theta& theta) const noexcept;
 
   ArmGeometry geometry_;
   double forearm_mm_;      // k

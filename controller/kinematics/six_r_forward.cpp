@@ -5,20 +5,8 @@
 
 namespace armature {
 
-// All values that the joint angles determine, shared by forward kinematics and velocities.
-struct SixR::Posture {
-  math::SinCos j1, j2, j23, j4, j5, j6;
-  Eigen::Matrix3d base_R_forearm;    // R03
-  double ex_mm, ey_mm;               // from axis 3 to the wrist centre, in the plane of the arm
-  double x_mm, y_mm;                 // from axis 2 to the wrist centre
-  double r_mm;                       // its signed distance from axis 1
-  Eigen::Vector3d approach_forearm;  // z of the flange in the frame of the forearm
-
-  [[nodiscard]] Eigen::Vector3d approach() const noexcept { return base_R_forearm * approach_forearm; }
-};
-
-SixR::Posture SixR::posture(const Theta& theta) const noexcept {
-  Posture p;
+SixRPosture SixR::posture(const Theta& theta) const noexcept {
+  SixRPosture p;
   const PerAxis<double> angles{theta[0], theta[1], theta[1] + theta[2], theta[3], theta[4], theta[5]};
   PerAxis<math::SinCos> joints;
   math::sin_cos_each(angles, joints);
@@ -42,8 +30,7 @@ SixR::Posture SixR::posture(const Theta& theta) const noexcept {
   return p;
 }
 
-Transform SixR::forward(const Theta& theta) const noexcept {
-  const Posture p = posture(theta);
+Transform SixR::flange_at(const SixRPosture& p) const noexcept {
   const auto [s4, c4] = p.j4;
   const auto [s5, c5] = p.j5;
   const auto [s6, c6] = p.j6;
@@ -59,7 +46,7 @@ Transform SixR::forward(const Theta& theta) const noexcept {
 }
 
 Jacobian SixR::jacobian(const Theta& theta) const noexcept {
-  const Posture p = posture(theta);
+  const SixRPosture p = posture(theta);
   const auto [s1, c1] = p.j1;
   const Eigen::Vector3d across{s1, -c1, 0.0};  // axes 2 and 3
   const Eigen::Vector3d axis2{c1 * geometry_.a1_mm, s1 * geometry_.a1_mm, geometry_.d1_mm};
@@ -76,7 +63,7 @@ Jacobian SixR::jacobian(const Theta& theta) const noexcept {
 }
 
 RawSides SixR::sides(const Theta& theta) const noexcept {
-  const Posture p = posture(theta);
+  const SixRPosture p = posture(theta);
   // elbow = -sin(theta_3 - phi)
   return {p.r_mm / longest_mm_, (p.j2.sin * p.ex_mm - p.j2.cos * p.ey_mm) / forearm_mm_, p.j5.sin};
 }
@@ -86,8 +73,7 @@ Manipulability SixR::manipulability(const Theta& theta) const noexcept {
   return {std::fabs(s.shoulder), std::fabs(s.elbow), std::fabs(s.flip)};
 }
 
-Theta SixR::rates(const Theta& theta, const Eigen::Vector3d& v_mm_s, const Eigen::Vector3d& w_rad_s) const noexcept {
-  const Posture p = posture(theta);
+Theta SixR::rates(const SixRPosture& p, const Eigen::Vector3d& v_mm_s, const Eigen::Vector3d& w_rad_s) const noexcept {
   const auto [s1, c1] = p.j1;
   const Eigen::Vector3d v = v_mm_s - w_rad_s.cross(geometry_.d6_mm * p.approach());  // of the wrist centre
   const double rate1 = (c1 * v.y() - s1 * v.x()) / p.r_mm;

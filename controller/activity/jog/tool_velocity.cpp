@@ -39,7 +39,8 @@ ToolVelocity::ToolVelocity(const RobotModel& robot, const Arm& arm, const ToolVe
 
 void ToolVelocity::begin(const PerAxis<Radians>& position) noexcept {
   position_ = previous_ = before_ = position;
-  base_T_tool_ = arm_.forward(position) * flange_T_tool_;
+  posture_ = arm_.posture(position);
+  base_T_tool_ = arm_.flange_at(*posture_) * flange_T_tool_;
   moving_ = moved_ = {.base_R_tool = base_T_tool_.rotation};
   wanted_ = {};
   change_.keep(Vector6::Zero());
@@ -97,6 +98,7 @@ std::optional<PerAxis<Radians>> ToolVelocity::advance() noexcept {
   }
   if (!allowed(next)) return std::nullopt;
   at_rest_ = next == position_;
+  if (!at_rest_) posture_.reset();
   before_ = previous_;
   previous_ = position_;
   position_ = next;
@@ -150,14 +152,15 @@ ToolVelocity::Vector6 ToolVelocity::in_base(const Vector6& twist) const noexcept
   return result;
 }
 
-VelocityChange::Change ToolVelocity::change_of(const Vector6& in_frame) const noexcept {
+VelocityChange::Change ToolVelocity::change_of(const Vector6& in_frame) noexcept {
   return {.twist = in_frame, .joints_rad_s = rates(in_base(in_frame))};
 }
 
-PerAxis<double> ToolVelocity::rates(const Vector6& twist) const noexcept {
+PerAxis<double> ToolVelocity::rates(const Vector6& twist) noexcept {
+  if (!posture_) posture_ = arm_.posture(position_);
   const Eigen::Vector3d turn = twist.tail<3>();
   const Eigen::Vector3d tool_to_flange = base_T_tool_.rotation * tool_T_flange_.position_mm;
-  return arm_.joint_rates(position_, twist.head<3>() + turn.cross(tool_to_flange), turn);
+  return arm_.joint_rates(*posture_, twist.head<3>() + turn.cross(tool_to_flange), turn);
 }
 
 void ToolVelocity::move_reference(const Vector6& twist, double duration_s) noexcept {

@@ -77,8 +77,8 @@ class ToolVelocity {
   // where it is now.
   [[nodiscard]] Vector6 in_frame(const Vector6& twist, const Eigen::Matrix3d& base_R_tool) const noexcept;
   [[nodiscard]] Vector6 in_base(const Vector6& twist) const noexcept;
-  [[nodiscard]] VelocityChange::Change change_of(const Vector6& in_frame) const noexcept;
-  [[nodiscard]] PerAxis<double> rates(const Vector6& twist) const noexcept;
+  [[nodiscard]] VelocityChange::Change change_of(const Vector6& in_frame) noexcept;
+  [[nodiscard]] PerAxis<double> rates(const Vector6& twist) noexcept;
   [[nodiscard]] std::optional<double> share_of(const PerAxis<double>& rates_rad_s) const noexcept;
   [[nodiscard]] bool allowed(const PerAxis<Radians>& next) const noexcept;
   void move_reference(const Vector6& twist, double duration_s) noexcept;
@@ -89,7 +89,8 @@ class ToolVelocity {
   Transform flange_T_tool_, tool_T_flange_;
   PerAxis<double> max_speed_rad_s_{};
   PerAxis<Radians> position_{}, previous_{}, before_{};
-  Transform base_T_tool_{};  // of position_, without the rounding of the inverse kinematics
+  std::optional<SixRPosture> posture_{};  // of position_, once it was needed
+  Transform base_T_tool_{};               // of position_, without the rounding of the inverse kinematics
   // Of the latest set-point and the one before: the velocity in the base, and the axes of the tool that it was for.
   struct Moving {
     Vector6 twist = Vector6::Zero();

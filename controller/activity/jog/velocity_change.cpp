@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "controller/base/halving.hpp"
 #include "controller/trajectory/state/axis_reach.hpp"
 
 namespace armature {
@@ -42,25 +43,25 @@ bool VelocityChange::plan(double t_s, const Twist& velocity, const Change& accel
   way_ = way;
   from_ = velocity;
   end_ = velocity + way.twist;
-  // A short time in which a jerk within the limits makes the acceleration one along the rest of the change. In
-  // `longest` it can become 0.
-  double shortest = 0.0, longest = per_jerk(accel_.twist).norm();
-  for (int i = 0; i < kChangeBisections && longest > 0.0; ++i) {
-    const double middle_s = 0.5 * (shortest + longest);
-    const Change left = left_after(middle_s);
-    const Twist change = turned_accel(left, middle_s) * left.twist - accel_.twist;
-    (per_jerk(change).norm() <= middle_s ? longest : shortest) = middle_s;
+  accel_per_jerk_ = per_jerk(accel_.twist);
+  // A short time in which a jerk within the limits makes the acceleration one along the rest of the change. In this
+  // one it can become 0.
+  turn_s_ = accel_per_jerk_.norm();
+  if (turn_s_ > 0.0) {
+    const EndValues at{.inside = std::min(turns_beyond(turn_s_), 0.0), .outside = turns_beyond(0.0)};
+    turn_s_ = halved<kChangeBisections>({.inside = turn_s_, .outside = 0.0}, at, [this](double tried_s) {
+                return turns_beyond(tried_s);
+              }).inside;
   }
-  turn_s_ = longest;
-  const Change left = left_after(turn_s_);
+  const Direction left = left_after(turn_s_);
   const double turned = turned_accel(left, turn_s_), speed = most_accel(left);
   if (!(speed > 0.0 && speed < kNoLimit)) return false;
-  direction_ = left.twist;
+  direction_ = left.change.twist;
   accel_change_ = turned * direction_ - accel_.twist;
   turned_ = from_ + turn_s_ * (accel_.twist + 0.5 * accel_change_);
   // The speed and the acceleration of the law are an acceleration and a jerk.
   law_ = plan_to_rest(ProfileKind::kTrapezoid, {.velocity = turned}, 1.0 - 0.5 * turned * turn_s_,
-                      {.speed = speed, .accel = std::min(most_jerk(direction_), speed / limits_.tick_s)});
+                      {.speed = speed, .accel = std::min(most_jerk(left), speed / limits_.tick_s)});
   return true;
 }
 
@@ -73,51 +74,62 @@ VelocityChange::Twist VelocityChange::at(double t_s) const noexcept {
 
 // What is left of the way after the acceleration has turned for this time, but for a part along the result: so whatever
 // acceleration of this direction it then is.
-VelocityChange::Change VelocityChange::left_after(double turn_s) const noexcept {
-  Change left{.twist = way_.twist - 0.5 * turn_s * accel_.twist};
+VelocityChange::Direction VelocityChange::left_after(double turn_s) const noexcept {
+  Direction left{.change = {.twist = way_.twist - 0.5 * turn_s * accel_.twist}};
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    left.joints_rad_s[axis] = way_.joints_rad_s[axis] - 0.5 * turn_s * accel_.joints_rad_s[axis];
+    left.change.joints_rad_s[axis] = way_.joints_rad_s[axis] - 0.5 * turn_s * accel_.joints_rad_s[axis];
   }
+  left.move_mm_s = left.change.twist.head<3>().norm();
+  left.turn_rad_s = left.change.twist.tail<3>().norm();
   return left;
 }
 
 // The acceleration along `left` to which the present one turns in this time, as a multiple of `left`. It is the nearest
 // one within the limits from which the velocity does not go beyond its end.
-double VelocityChange::turned_accel(const Change& left, double turn_s) const noexcept {
-  const Twist scaled = per_jerk(left.twist);
+double VelocityChange::turned_accel(const Direction& left, double turn_s) const noexcept {
+  const Twist scaled = per_jerk(left.change.twist);
   const double square = scaled.squaredNorm();
   if (!(square > 0.0)) return 0.0;
-  const double nearest = scaled.dot(per_jerk(accel_.twist)) / square;
+  const double nearest = scaled.dot(accel_per_jerk_) / square;
   // x^2 = 2 jerk (1 - x turn_s / 2)
-  const double jerk = most_jerk(left.twist), half = 0.5 * jerk * turn_s;
+  const double jerk = most_jerk(left), half = 0.5 * jerk * turn_s;
   const double most = jerk < kNoLimit ? std::sqrt(half * half + 2.0 * jerk) - half : kNoLimit;
   return std::clamp(nearest, 0.0, std::min(most, most_accel(left)));
+}
+
+// The time by which the acceleration needs longer than this to turn along what is left then.
+double VelocityChange::turns_beyond(double turn_s) const noexcept {
+  const Direction left = left_after(turn_s);
+  const Twist change = turned_accel(left, turn_s) * left.change.twist - accel_.twist;
+  return per_jerk(change).norm() - turn_s;
 }
 
 // The time that this change of the acceleration takes while it turns, as a vector. Its length is at least the time that
 // each of both parts takes.
 VelocityChange::Twist VelocityChange::per_jerk(const Twist& change) const noexcept {
-  Twist scaled = Twist::Zero();
-  if (turning_.move > 0.0) scaled.head<3>() = change.head<3>() / turning_.move;
-  if (turning_.turn > 0.0) scaled.tail<3>() = change.tail<3>() / turning_.turn;
+  Twist scaled;
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    scaled[i] = turning_.move > 0.0 ? change[i] / turning_.move : 0.0;
+    scaled[i + 3] = turning_.turn > 0.0 ? change[i + 3] / turning_.turn : 0.0;
+  }
   return scaled;
 }
 
 // The largest multiple of `direction` that is an acceleration within the limits.
-double VelocityChange::most_accel(const Change& direction) const noexcept {
-  double most = std::min(most_of(limits_.accel_mm_s2, direction.twist.head<3>().norm()),
-                         most_of(limits_.turn_accel_rad_s2, direction.twist.tail<3>().norm()));
+double VelocityChange::most_accel(const Direction& direction) const noexcept {
+  double most = std::min(most_of(limits_.accel_mm_s2, direction.move_mm_s),
+                         most_of(limits_.turn_accel_rad_s2, direction.turn_rad_s));
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    most = std::min(most, most_of(limits_.joint_accel_rad_s2[axis], direction.joints_rad_s[axis]));
+    most = std::min(most, most_of(limits_.joint_accel_rad_s2[axis], direction.change.joints_rad_s[axis]));
   }
   return most;
 }
 
-double VelocityChange::most_jerk(const Twist& direction) const noexcept {
+double VelocityChange::most_jerk(const Direction& direction) const noexcept {
   double most = kNoLimit;
-  if (limits_.jerk_mm_s3 > 0.0) most = std::min(most, most_of(limits_.jerk_mm_s3, direction.head<3>().norm()));
+  if (limits_.jerk_mm_s3 > 0.0) most = std::min(most, most_of(limits_.jerk_mm_s3, direction.move_mm_s));
   if (limits_.turn_jerk_rad_s3 > 0.0) {
-    most = std::min(most, most_of(limits_.turn_jerk_rad_s3, direction.tail<3>().norm()));
+    most = std::min(most, most_of(limits_.turn_jerk_rad_s3, direction.turn_rad_s));
   }
   return most;
 }

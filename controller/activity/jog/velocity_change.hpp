@@ -50,15 +50,22 @@ class VelocityChange {
   struct Jerk {
     double move = 0.0, turn = 0.0;  // 0: not limited
   };
-  [[nodiscard]] Change left_after(double turn_s) const noexcept;
-  [[nodiscard]] double turned_accel(const Change& left, double turn_s) const noexcept;
+  // A direction of acceleration, and what of it the limits are compared with.
+  struct Direction {
+    Change change;
+    double move_mm_s = 0.0, turn_rad_s = 0.0;  // the lengths of both parts
+  };
+  [[nodiscard]] Direction left_after(double turn_s) const noexcept;
+  [[nodiscard]] double turned_accel(const Direction& left, double turn_s) const noexcept;
+  [[nodiscard]] double turns_beyond(double turn_s) const noexcept;
   [[nodiscard]] Twist per_jerk(const Twist& change) const noexcept;
-  [[nodiscard]] double most_accel(const Change& direction) const noexcept;
-  [[nodiscard]] double most_jerk(const Twist& direction) const noexcept;
+  [[nodiscard]] double most_accel(const Direction& direction) const noexcept;
+  [[nodiscard]] double most_jerk(const Direction& direction) const noexcept;
 
   Limits limits_{};
   Jerk turning_{};  // while the acceleration turns
   Change accel_{}, way_{};
+  Twist accel_per_jerk_ = Twist::Zero();
   Twist from_ = Twist::Zero(), end_ = Twist::Zero();
   double turn_s_ = 0.0;                 // the acceleration turns
   Twist accel_change_ = Twist::Zero();  // by this

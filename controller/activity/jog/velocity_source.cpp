@@ -176,7 +176,11 @@ void VelocitySource::stop_joints(const PerAxis<AxisState>& state) noexcept {
 }
 
 void VelocitySource::reset_to(const PerAxis<Radians>& position) noexcept {
-  for (std::size_t i = 0; i < kAxes; ++i) axes_[i] = {.law = PhaseLaw{{.position = position[i].value()}}};
+  for (std::size_t i = 0; i < kAxes; ++i) {
+    axes_[i].law.restart({.position = position[i].value()});
+    axes_[i].ticks = 0;
+    axes_[i].wanted_rad_s = 0.0;
+  }
   stopping_ = follows_tool_ = false;
   next_twist_.reset();
   failed_twist_.reset();

@@ -167,12 +167,17 @@ IkTracking joints_on_path(const CartesianPlan& plan, const Arm& arm, double s, c
 }
 
 FollowedTool follow_tool(const CartesianPlan& plan, const Arm& arm, double t_s, const JointAngles& previous) noexcept {
+  return follow_tool(plan, arm, t_s, tool_pose(plan, t_s), previous);
+}
+
+FollowedTool follow_tool(const CartesianPlan& plan, const Arm& arm, double t_s, const Transform& base_T_tool,
+                         const JointAngles& previous) noexcept {
   if (plan.bends.count > 0) {
     const double s = plan.table.position(t_s);
     if (plan.bends.at(s) != nullptr) return {.tracking = joints_on_path(plan, arm, s, previous), .on_bend = true};
   }
   const auto flange = [&](double at_s) { return tool_pose(plan, at_s) * plan.tool_T_flange; };
-  const Transform here = flange(t_s);
+  const Transform here = base_T_tool * plan.tool_T_flange;
   FollowedTool plain{.tracking = arm.track(here, previous)};
   if (!plain.tracking.found || std::fabs(arm.wrist_sine(plain.tracking.joints)) >= kWristInSight_rad) return plain;
 
@@ -193,11 +198,7 @@ FollowedTool follow_tool(const CartesianPlan& plan, const Arm& arm, double t_s, 
 
 JointAngles position(const CartesianPlan& plan, const Arm& arm, double t_s, const JointAngles& previous,
                      int& inverses) noexcept {
-  if (t_s <= 0.0) return plan.start;
-  if (t_s >= seconds(plan.duration)) return plan.target;
-  const FollowedTool followed = follow_tool(plan, arm, t_s, previous);
-  inverses += followed.inverses;
-  return followed.tracking.found ? followed.tracking.joints : previous;
+  return position(plan, t_s, previous, inverses, [&] { return follow_tool(plan, arm, t_s, previous); });
 }
 
 JointAngles position(const CartesianPlan& plan, const Arm& arm, double t_s, const JointAngles& previous) noexcept {

@@ -20,6 +20,7 @@
 #include <optional>
 
 #include "controller/base/tag.hpp"
+#include "controller/base/timebase.hpp"
 #include "controller/base/units.hpp"
 #include "controller/kinematics/arm.hpp"
 #include "controller/kinematics/configuration.hpp"
@@ -210,6 +211,9 @@ struct FollowedTool {
 };
 [[nodiscard]] FollowedTool follow_tool(const CartesianPlan& plan, const Arm& arm, double t_s,
                                        const JointAngles& previous) noexcept;
+// The same, where the tool at `t_s` is known to be here.
+[[nodiscard]] FollowedTool follow_tool(const CartesianPlan& plan, const Arm& arm, double t_s,
+                                       const Transform& base_T_tool, const JointAngles& previous) noexcept;
 
 // The joints at `t_s`, given those at a close time: exactly `start` before the plan, exactly `target` from its end on.
 // A plan was checked at every tick. Between ticks the path may exceed the planning limits by less than a tick's
@@ -221,5 +225,15 @@ struct FollowedTool {
 // As above; adds the number of computed inverse kinematics to `inverses`, at most FollowedTool::kMaxInverses.
 [[nodiscard]] JointAngles position(const CartesianPlan& plan, const Arm& arm, double t_s, const JointAngles& previous,
                                    int& inverses) noexcept;
+// The same with follow() instead of follow_tool().
+template <class Follow>
+[[nodiscard]] JointAngles position(const CartesianPlan& plan, double t_s, const JointAngles& previous, int& inverses,
+                                   Follow follow) noexcept {
+  if (t_s <= 0.0) return plan.start;
+  if (t_s >= seconds(plan.duration)) return plan.target;
+  const FollowedTool followed = follow();
+  inverses += followed.inverses;
+  return followed.tracking.found ? followed.tracking.joints : previous;
+}
 
 }  // namespace armature

@@ -22,8 +22,8 @@ bool fill(RetargetPlan& plan, const PerAxis<AxisReach>& reach, const PerAxis<Tim
   const double duration_s = seconds(plan.duration);
   bool fits = true;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    const auto [law, miss] = reach[axis].motion(plan.target[axis].value(), duration_s);
-    plan.laws[axis] = law;
+    PhaseLaw& law = plan.laws[axis];
+    const double miss = reach[axis].motion(plan.target[axis].value(), duration_s, law);
     const double way = 3.0 + limits[axis].speed * duration_s;
     fits = fits && miss <= kMaxMiss * way && law.duration_s() <= duration_s + kMaxExcess * kTickSeconds;
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "controller/base/halving.hpp"
 #include "controller/base/timebase.hpp"
 #include "controller/robot/axis_units.hpp"
 #include "controller/trajectory/joint/axis_limits.hpp"
@@ -140,18 +141,17 @@ double PathClock::propose(double wanted, const PerAxis<Radians>& now, double tic
   }
   const ToolModel move{last.move, ticks, tool.move, rate_, short_step},
       turn{last.turn, ticks, tool.turn, rate_, short_step};
-  const double most_move = std::max(1.0, move.bend(rate_)), most_turn = std::max(1.0, turn.bend(rate_));
-  const auto fits = [&](double tried) {
+  const double kept_move = move.bend(rate_), kept_turn = turn.bend(rate_);
+  const double most_move = std::max(1.0, kept_move), most_turn = std::max(1.0, kept_turn);
+  const auto excess = [&](double tried) {
     const double rate = rate_ + direction * tried;
-    return move.bend(rate) <= most_move && turn.bend(rate) <= most_turn;
+    return std::max(move.bend(rate) - most_move, turn.bend(rate) - most_turn);
   };
-  if (!fits(change)) {
-    double low = 0.0;  // fits, since the rate is kept
-    for (int halving = 0; halving < kHalvings; ++halving) {
-      const double middle = 0.5 * (low + change);
-      (fits(middle) ? low : change) = middle;
-    }
-    change = low;
+  const double beyond = excess(change);
+  if (!(beyond <= 0.0)) {
+    // No change is within the limits, since the rate is kept.
+    const EndValues at{.inside = std::max(kept_move - most_move, kept_turn - most_turn), .outside = beyond};
+    change = halved<kHalvings>({.inside = 0.0, .outside = change}, at, excess).inside;
   }
   return change == whole_change ? wanted : rate_ + direction * change;
 }

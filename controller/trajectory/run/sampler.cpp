@@ -141,7 +141,12 @@ void Sampler::finish_if_over() noexcept {
 PerAxis<Radians> Sampler::at(double ticks) noexcept {
   const Piece& piece = plan_.piece_at(ticks);
   const double t_s = piece.own_ticks(ticks) * kTickSeconds;
-  if (piece.path != nullptr) return armature::position(*piece.path, arm_, t_s, position_, inverses_);
+  if (const CartesianPlan* path = piece.path) {
+    return armature::position(*path, t_s, position_, inverses_, [&] {
+      const Transform base_T_tool = tool_at(*path, piece.own_ticks(ticks)).tool.base_T_tool;
+      return follow_tool(*path, arm_, t_s, base_T_tool, position_);
+    });
+  }
   if (piece.chain != nullptr) return armature::position(*piece.chain, t_s);
   return armature::position(*piece.joints, t_s);
 }
@@ -167,7 +172,8 @@ ToolStep Sampler::tool_step(double from, double to) noexcept {
     limits_jerk = limits_jerk && segment.profile == ProfileKind::kSCurve;
   }
   if (accel_mm_s2 == 0.0) return {};  // beyond the end
-  const ToolSample first = tool_at(*path, from), second = tool_at(*path, to);
+  const ToolSample first = tool_at(*path, from);
+  const ToolSample& second = tool_at(*path, to);
   const Eigen::Vector3d move_mm = second.tool.base_T_tool.position_mm - first.tool.base_T_tool.position_mm;
   constexpr double kTick2 = kTickSeconds * kTickSeconds;
   ToolStep step{.move = move_mm / (accel_mm_s2 * kTick2),
@@ -179,7 +185,7 @@ ToolStep Sampler::tool_step(double from, double to) noexcept {
   return step;
 }
 
-ToolSample Sampler::tool_at(const CartesianPlan& path, double ticks) noexcept {
+const ToolSample& Sampler::tool_at(const CartesianPlan& path, double ticks) noexcept {
   for (std::size_t i = 0; i < sample_count_; ++i) {
     if (samples_[i].path == &path && samples_[i].ticks == ticks) return samples_[i].tool;
   }

@@ -70,8 +70,9 @@ class Sampler {
   void restart_clock(double rate, bool in_motion) noexcept;
   [[nodiscard]] PerAxis<Radians> at(double ticks) noexcept;
   [[nodiscard]] ToolStep tool_step(double from, double to) noexcept;
-  // tool_sample() of a path of the active plan. A change of the rate needs those of the last two ticks again.
-  [[nodiscard]] ToolSample tool_at(const CartesianPlan& path, double ticks) noexcept;
+  // tool_sample() of a path of the active plan, until the next call. A change of the rate needs those of the last two
+  // ticks again, and those of the joints that it tries.
+  [[nodiscard]] const ToolSample& tool_at(const CartesianPlan& path, double ticks) noexcept;
   void forget_samples() noexcept;
   [[nodiscard]] double plan_jerk(double from, double to) const noexcept;
   void finish_if_over() noexcept;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "controller/base/timebase.hpp"
 #include "controller/trajectory/state/axis_reach.hpp"
@@ -48,6 +49,15 @@ bool meets_with_jerk(const AxisState& from, const AxisState& to, const TimeLawLi
          within(from.velocity, limits.speed) && within(to.velocity, limits.speed);
 }
 
+// At least the way of the fastest stop, in a tenth of its time; infinite for a state beyond the limits.
+double most_way_to_stop(ProfileKind kind, const AxisState& state, const TimeLawLimits& limits) {
+  const double accel = std::fabs(state.accel), speed = std::fabs(state.velocity);
+  if (kind == ProfileKind::kTrapezoid) return 0.5 * speed * speed / limits.accel;
+  const double peak = speed + 0.5 * accel * accel / limits.jerk;  // when the acceleration is 0
+  if (!(accel <= limits.accel && peak <= limits.speed)) return std::numeric_limits<double>::infinity();
+  return peak * (accel / limits.jerk + 0.5 * (peak / limits.accel + limits.accel / limits.jerk));
+}
+
 }  // namespace
 
 AxisFollower::AxisFollower(ProfileKind kind, const TimeLawLimits& limits, const Range& range, double position) noexcept
@@ -85,7 +95,8 @@ AxisState AxisFollower::towards(const AxisState& reference) const noexcept {
   const AxisState before = after(frame, 0.0, -kTickSeconds);
   const AxisState start{state_.position - before.position, state_.velocity - before.velocity,
                         state_.accel - before.accel};
-  const AxisState next = plan_to_rest(kind_, start, 0.0, limits).at(kTickSeconds);
+  const AxisReach reach{kind_, start, limits};
+  const AxisState next = reach.on_motion(0.0, reach.shortest_s(0.0), kTickSeconds);
   return {.position = next.position + frame.position,
           .velocity = next.velocity + frame.velocity,
           .accel = kind_ == ProfileKind::kTrapezoid ? 0.0 : next.accel + frame.accel};
@@ -100,6 +111,8 @@ bool AxisFollower::keeps_speed(const AxisState& next) const noexcept {
 }
 
 bool AxisFollower::can_stop_after(const AxisState& next) const noexcept {
+  const double most = most_way_to_stop(kind_, next, limits_);
+  if (next.position - most >= range_.least && next.position + most <= range_.largest) return true;
   const double end = AxisReach{kind_, next, limits_}.stop_position();
   return end >= range_.least - kBeyond && end <= range_.largest + kBeyond;
 }

@@ -55,14 +55,14 @@ constexpr double kPositionRounding = 1e-15;
 }  // namespace
 
 AxisReach::AxisReach(ProfileKind kind, const AxisState& start, const TimeLawLimits& limits) noexcept
-    : rules_{rules_of(kind)}, limits_{limits}, start_{start}, lead_end_{start}, stop_position_{start.position} {
-  if (start_.at_rest()) return;
-  lead_ = rules_.lead(start_, limits_);
-  lead_end_ = lead_.after_all(start_);
-  lead_s_ = lead_.duration_s();
-  stop_ = rules_.ramp(lead_end_, 0.0, limits_);
-  stop_position_ = stop_.after_all(lead_end_).position;
-}
+    : rules_{rules_of(kind)},
+      limits_{limits},
+      start_{start},
+      lead_{start.at_rest() ? Phases{} : rules_.lead(start_, limits_)},
+      lead_end_{lead_.after_all(start_)},
+      lead_s_{lead_.duration_s()},
+      stop_{start.at_rest() ? Phases{} : rules_.ramp(lead_end_, 0.0, limits_)},
+      stop_position_{stop_.after_all(lead_end_).position} {}
 
 bool AxisReach::stops_at(double target) const noexcept {
   const double size = std::fabs(target) + std::fabs(stop_position_ - start_.position);
@@ -77,14 +77,16 @@ double AxisReach::shortest_s(double target) const noexcept {
   return lead_s_ + std::max(rest_s, stop_.duration_s()) * (1.0 + kDurationRounding);
 }
 
-AxisReach::Motion AxisReach::motion(double target, double duration_s) const noexcept {
-  Motion motion{.law = PhaseLaw{start_}};
-  for (const Phase& phase : lead_) motion.law.append(phase);
+template <class Take>
+void AxisReach::walk(double target, double duration_s, Take take) const noexcept {
+  for (const Phase& phase : lead_) {
+    if (!take(phase)) return;
+  }
   const double sign = sign_to(target);
-  Phases far;
+  const bool stops = stops_at(target);
+  const Phases far = stops ? Phases{} : rules_.farthest(mirrored(lead_end_, sign), duration_s - lead_s_, limits_);
   double share = 0.0;
-  if (!stops_at(target)) {
-    far = rules_.farthest(mirrored(lead_end_, sign), duration_s - lead_s_, limits_);
+  if (!stops) {
     const double farthest = sign * far.after_all(mirrored(lead_end_, sign)).position;
     const double reach = sign * (farthest - stop_position_), wanted = sign * (target - stop_position_);
     share = reach > 0.0 ? std::min(wanted / reach, kMaxShare) : 0.0;
@@ -92,14 +94,43 @@ AxisReach::Motion AxisReach::motion(double target, double duration_s) const noex
   PhaseWalk outer{far, sign, share}, inner{stop_, 1.0, 1.0 - share};
   while (true) {
     const double step_s = std::min(outer.left_s(), inner.left_s());
-    if (step_s == std::numeric_limits<double>::infinity()) break;
-    motion.law.append({step_s, outer.accel() + inner.accel(), outer.jerk() + inner.jerk()});
+    if (step_s == std::numeric_limits<double>::infinity()) return;
+    if (!take(Phase{step_s, outer.accel() + inner.accel(), outer.jerk() + inner.jerk()})) return;
     outer.advance(step_s);
     inner.advance(step_s);
   }
-  motion.miss = std::fabs(target - motion.law.end().position);
-  motion.law.set_end(target, 0.0);
+}
+
+AxisReach::Motion AxisReach::motion(double target, double duration_s) const noexcept {
+  Motion motion;
+  motion.miss = this->motion(target, duration_s, motion.law);
   return motion;
+}
+
+double AxisReach::motion(double target, double duration_s, PhaseLaw& law) const noexcept {
+  law.restart(start_);
+  walk(target, duration_s, [&law](const Phase& phase) {
+    law.append(phase);
+    return true;
+  });
+  const double miss = std::fabs(target - law.end().position);
+  law.set_end(target, 0.0);
+  return miss;
+}
+
+AxisState AxisReach::on_motion(double target, double duration_s, double t_s) const noexcept {
+  AxisState state{start_.position, start_.velocity, 0.0};
+  double start_s = 0.0;
+  bool reached = false;
+  walk(target, duration_s, [&](const Phase& phase) {
+    const double end_s = start_s + phase.duration_s;
+    reached = t_s < end_s;
+    state = after({state.position, state.velocity, phase.accel}, phase.jerk,
+                  reached ? std::max(t_s - start_s, 0.0) : phase.duration_s);
+    start_s = end_s;
+    return !reached;
+  });
+  return reached ? state : after({.position = target}, 0.0, t_s - start_s);
 }
 
 PhaseLaw plan_to_rest(ProfileKind kind, const AxisState& start, double target, const TimeLawLimits& limits) noexcept {

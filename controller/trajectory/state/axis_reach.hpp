@@ -37,19 +37,26 @@ class AxisReach {
   // that by rounding; a stop at the target takes only its own time. For a duration that is slightly too short all
   // limits are exceeded by up to a millionth.
   [[nodiscard]] Motion motion(double target, double duration_s) const noexcept;
+  // The same; returns the miss.
+  [[nodiscard]] double motion(double target, double duration_s, PhaseLaw& law) const noexcept;
+  // motion().law.at(t_s), without what comes after `t_s`.
+  [[nodiscard]] AxisState on_motion(double target, double duration_s, double t_s) const noexcept;
 
  private:
   [[nodiscard]] double sign_to(double target) const noexcept { return target < stop_position_ ? -1.0 : 1.0; }
   // Within a rounding error: without this, the time to cover that error would be the third root of it.
   [[nodiscard]] bool stops_at(double target) const noexcept;
+  // Calls take(Phase) for each phase of the motion while it returns true.
+  template <class Take>
+  void walk(double target, double duration_s, Take take) const noexcept;
 
   const ReachRules& rules_;
   TimeLawLimits limits_;
   AxisState start_;
-  Phases lead_{};
-  Phases stop_{};       // after lead_
+  Phases lead_;
   AxisState lead_end_;  // = start_ for a start within the limits
-  double lead_s_ = 0.0;
+  double lead_s_;
+  Phases stop_;  // after lead_
   double stop_position_;
 };
 

@@ -56,6 +56,10 @@ PhaseLaw::Extent PhaseLaw::extent() const noexcept {
   for (std::size_t i = 0; i < count_; ++i) {
     const auto& [start_s, state, jerk] = knots_[i];
     include(state.position);
+    // Where the velocity changes in one direction and keeps its sign, it does not turn round.
+    const double end_velocity = i + 1 < count_ ? knots_[i + 1].state.velocity : end_.velocity;
+    const double end_accel = state.accel + jerk * length_s(i);
+    if (state.accel * end_accel >= 0.0 && state.velocity * end_velocity > 0.0) continue;
     // It turns round where velocity + accel t + jerk t^2 / 2 = 0; the two roots without cancellation.
     const double discriminant = state.accel * state.accel - 2.0 * jerk * state.velocity;
     if (discriminant < 0.0) continue;

@@ -29,15 +29,17 @@ struct AxisState {
 
 // A part of a motion with constant jerk.
 struct Phase {
-  double duration_s = 0.0;
-  double accel = 0.0;  // at its start
-  double jerk = 0.0;
+  double duration_s;
+  double accel;  // at its start
+  double jerk;
 };
 
 // Phases in their order. Without a jerk limit the acceleration may jump between them.
 class Phases {
  public:
   static constexpr std::size_t kMax = 8;
+
+  Phases() noexcept {}  // NOLINT: what has no phase is not set, because many of them are made in a tick
 
   // A phase that takes no time is left out. A negative duration is a rounding error and counts as none.
   void add(double duration_s, double accel, double jerk) noexcept {
@@ -55,7 +57,7 @@ class Phases {
   [[nodiscard]] AxisState after_all(const AxisState& state) const noexcept;
 
  private:
-  std::array<Phase, kMax> phases_{};
+  std::array<Phase, kMax> phases_;
   std::size_t count_ = 0;
 };
 
@@ -67,6 +69,12 @@ class PhaseLaw {
   // An axis that keeps the velocity of `start`, for no time.
   PhaseLaw() noexcept = default;
   explicit PhaseLaw(const AxisState& start) noexcept : end_{start.position, start.velocity, 0.0} {}
+  // The same, without setting what has no phase.
+  void restart(const AxisState& start) noexcept {
+    count_ = 0;
+    duration_s_ = 0.0;
+    end_ = {start.position, start.velocity, 0.0};
+  }
 
   void append(const Phase& phase) noexcept;
   // Sets the position and the velocity of the end, which differ from the sums over the phases by rounding.

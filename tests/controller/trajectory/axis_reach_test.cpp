@@ -122,6 +122,22 @@ TEST_P(AxisReachProperties, ItStaysBetweenStartStopAndTarget) {
   }
 }
 
+TEST_P(AxisReachProperties, AStateOnTheMotionIsThatOfItsLaw) {
+  test::Random random{8};
+  for (int draw = 0; draw < draws(20'000); ++draw) {
+    const AxisDraw d = draw_within(random, GetParam());
+    const AxisReach reach{GetParam(), d.start, d.limits};
+    const double duration_s = reach.shortest_s(d.target) * logarithmic(random, 1.0, 10.0);
+    const double t_s = duration_s * random.real(-0.1, 1.2);
+    const AxisState wanted = reach.motion(d.target, duration_s).law.at(t_s);
+    const AxisState found = reach.on_motion(d.target, duration_s, t_s);
+    SCOPED_TRACE("seed 8 draw " + std::to_string(draw) + ": " + text_of(d));
+    ASSERT_EQ(found.position, wanted.position);
+    ASSERT_EQ(found.velocity, wanted.velocity);
+    ASSERT_EQ(found.accel, wanted.accel);
+  }
+}
+
 TEST_P(AxisReachProperties, FromRestItTakesAsLongAsTheProfilesDo) {
   test::Random random{6};
   for (int draw = 0; draw < draws(20'000); ++draw) {
