@@ -154,9 +154,9 @@ class Debugger(Program):
             r"\* 1 .*follow_source.* 2 .*core 1: waits for an interrupt\) .*pending",
             r"0x43c10000:\t0x\w+",
             r"0x43c01014:\t0x00000060\n0x43c01014:\t0x00000060\n",  # the line status, twice the same
-            r"Thread 1 hit Hardware watchpoint 2.*value_ = 0.*value_ = 1.*MotionLoop::tick",
+            r"Thread 1 hit Hardware watchpoint 2.*value_ = 0.*value_ = 1",
             r"\tstr\t.*=> 0x",  # the store has just been executed
-            r"armature::board.*pending.*#1 .*wait_for_interrupt",
+            r"#0 .*pending.*#1 .*armature::board::BoardBus::wait_for_interrupt",
             r"exited normally",
         )
         self.expect(
