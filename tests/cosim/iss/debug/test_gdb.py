@@ -155,8 +155,9 @@ class Debugger(Program):
             r"0x43c10000:\t0x\w+",
             r"0x43c01014:\t0x00000060\n0x43c01014:\t0x00000060\n",  # the line status, twice the same
             r"Thread 1 hit Hardware watchpoint 2.*value_ = 0.*value_ = 1",
-            r"\tstr\t.*=> 0x",  # the store has just been executed
-            r"#0 .*pending.*#1 .*armature::board::BoardBus::wait_for_interrupt",
+            r"\tstr\t.*=> 0x",  # the store has just been executed, of an inlined addition
+            r"armature::MotionLoop::tick .*motion_loop\.cpp:\d+",
+            r"armature::board.*pending.*#1 .*wait_for_interrupt",
             r"exited normally",
         )
         self.expect(
