@@ -101,7 +101,8 @@ class Arm {
   // otherwise 0. Not finite at a singularity: check manipulability() first.
   [[nodiscard]] PerAxis<double> joint_rates(const JointAngles& joints, const Eigen::Vector3d& v_mm_s,
                                             const Eigen::Vector3d& w_rad_s) const noexcept;
-  // Both of several at one position: `posture` is that of the joints.
+  // forward() and joint_rates() of several velocities at one position. Only of an arm with 6R: of others the posture is
+  // empty, the flange the identity and the rates are 0.
   [[nodiscard]] SixRPosture posture(const JointAngles& joints) const noexcept;
   [[nodiscard]] Transform flange_at(const SixRPosture& posture) const noexcept;
   [[nodiscard]] PerAxis<double> joint_rates(const SixRPosture& posture, const Eigen::Vector3d& v_mm_s,
