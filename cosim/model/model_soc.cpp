@@ -78,8 +78,7 @@ class ModelSoc final : public Soc {
 
   Progress access(const BusRequest& request, Cycles at, Cycles limit) override {
     const std::optional<std::size_t> port = port_of(request.addr, Variant::kBases);
-    const Cycles start = at - stood_, executed = start + times_.executed;
-    const Cycles ends = start + (request.write ? times_.write_ends : times_.read_ends);
+    const Cycles start = at - stood_, executed = start + times_.executed, ends = start + times_.ends(request.write);
     const bool alone =
         quick_ && clock_running_ && is_silent() && port && ends + stood_ <= limit && logic_.wakes_at() > executed;
     if (!alone) [[unlikely]]

@@ -60,6 +60,8 @@ struct QuickTimes {
     read_ends = accepted + kReadEdges + back;
     unclaimed_ends = accepted + kUnclaimedEdges + back;
   }
+  // Of an access to a block.
+  [[nodiscard]] Cycles ends(bool write) const { return write ? write_ends : read_ends; }
 };
 
 // Whether accesses over this bus have those times.
@@ -73,7 +75,7 @@ struct QuickTimes {
                                               std::span<const std::uint32_t> bases) {
   QuickAccess access{.request = request, .port = port_of(request.addr, bases), .started = now};
   access.executed = now + times.executed;
-  access.ends = now + (!access.port ? times.unclaimed_ends : request.write ? times.write_ends : times.read_ends);
+  access.ends = now + (access.port ? times.ends(request.write) : times.unclaimed_ends);
   return access;
 }
 
