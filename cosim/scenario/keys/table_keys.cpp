@@ -87,12 +87,13 @@ Need TableKeys::need(const KeyInfo& entry) const {
 }
 
 void TableKeys::report() {
+  const bool has_unread = table_->has_unknown();  // otherwise no key needs a reason or a suggestion
   for (const KeyInfo* entry : entries_) {
     if (!entry->refused.empty() && exists(*entry)) {
       table_->reject(entry->name, std::string{entry->refused});
     } else if (exists(*entry)) {
       report_beside(*entry);
-    } else if (entry_of(entry->name) == entry) {
+    } else if (has_unread && entry_of(entry->name) == entry) {
       report_absence_of(*entry);
     }
   }
