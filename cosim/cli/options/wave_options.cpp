@@ -103,11 +103,11 @@ void check_wave_options(const WaveOptions& options, bool report) {
 
 std::optional<ShownPart> shown_part(const WaveOptions& options, const Scenario& scenario) {
   if (!options.from_s && !options.to_s) return std::nullopt;
-  constexpr double kLeastRows = 40;
+  constexpr double kFewestRows = 40;
   const double from_s = options.from_s.value_or(0);
   const double to_s = options.to_s.value_or(scenario.duration_s);
   const double row_s = static_cast<double>(scenario.trace.every_ticks * kTickCycles) / static_cast<double>(kClkFreqHz);
-  const double around_s = std::max(0.0, (kLeastRows * row_s - (to_s - from_s)) / 2);
+  const double around_s = std::max(0.0, (kFewestRows * row_s - (to_s - from_s)) / 2);
   return ShownPart{.from_s = from_s - around_s, .to_s = to_s + around_s, .time_s = (from_s + to_s) / 2};
 }
 
