@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -81,7 +82,7 @@ TEST(Boot, AllValuesComeBackAsTheyWere) {
 TEST(Boot, TheMemoryBeginsAtAPageAndEndsInOne) {
   for (const std::size_t size : {0u, 1u, 4095u, 4096u, 100'000u}) {
     BootMemory boot{full_robot(), full_config(), {ProgramLanguage::kGcode, {{"a", std::string(size, '%')}}}};
-    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(&boot.memory()) % 4096, 0u);
+    EXPECT_EQ(std::bit_cast<std::uintptr_t>(&boot.memory()) % 4096, 0u);
     const std::size_t bytes = BootMemory::whole_pages(boot.memory().bytes);
     EXPECT_EQ(bytes % 4096, 0u);
     EXPECT_GE(bytes, sizeof(HostMemory) + size);

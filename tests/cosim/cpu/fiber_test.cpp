@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <cstring>
 #include <vector>
@@ -73,7 +74,7 @@ TEST(Fiber, SuspendsFromADeepCall) {
 // these addresses, which the system chooses, fail at its first write there.
 void expect_free(char* on_stack) {
   const auto page_bytes = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));
-  char* const page = on_stack - reinterpret_cast<std::uintptr_t>(on_stack) % page_bytes;
+  char* const page = on_stack - std::bit_cast<std::uintptr_t>(on_stack) % page_bytes;
   void* const again =
       ::mmap(page, page_bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED_NOREPLACE, -1, 0);
   ASSERT_EQ(again, page) << "the stack is still mapped";
