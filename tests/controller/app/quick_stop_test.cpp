@@ -101,15 +101,22 @@ MovingArm arm_at_conveyor() {
   return {belt, &belt->rig, 0};
 }
 
+// The trigger at which the arm at the conveyor has entered a phase, of a run without a stop.
+std::int64_t begin_of(PartPhase phase) {
+  static const std::vector<PartFollowed> parts = [] {
+    const MovingArm arm = arm_at_conveyor();
+    arm.rig->run(5 * test::conveyor::kSecond);
+    return arm.rig->parts;
+  }();
+  const auto found = std::ranges::find(parts, phase, &PartFollowed::phase);
+  EXPECT_NE(found, parts.end());
+  return found == parts.end() ? 0 : found->tick.value();
+}
+
 // While the arm follows the part, or while it leaves it.
 MovingArm arm_at_phase(PartPhase phase) {
-  MovingArm before = arm_at_conveyor();
-  before.rig->run(5 * test::conveyor::kSecond);
   MovingArm arm = arm_at_conveyor();
-  for (const PartFollowed& part : before.rig->parts) {
-    if (part.phase == phase) arm.stop_at = part.tick.value() + 100;
-  }
-  EXPECT_GT(arm.stop_at, 0);
+  arm.stop_at = begin_of(phase) + 100;
   return arm;
 }
 
