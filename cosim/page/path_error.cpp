@@ -12,12 +12,11 @@
 #include "controller/base/words.hpp"
 #include "cosim/recording/recorded_path.hpp"
 #include "cosim/report/measure/path_error.hpp"
+#include "cosim/text/json.hpp"
 #include "cosim/trace/columns.hpp"
 
 namespace armature::cosim {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 // The page has the same bytes on every machine, so the sines are not those of the C library.
 Eigen::Isometry3d turn(double angle_deg, Eigen::Index from, Eigen::Index to) {

@@ -6,11 +6,10 @@
 
 #include "cosim/page/column_code.hpp"
 #include "cosim/page/path_error.hpp"
+#include "cosim/text/json.hpp"
 
 namespace armature::cosim {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 // The page computes the tool point and the pulses of a tick from other columns.
 bool is_shown(const NumberColumn& column) {

@@ -17,12 +17,11 @@
 #include "cosim/plot/planned_path.hpp"
 #include "cosim/plot/svg.hpp"
 #include "cosim/text/input_error.hpp"
+#include "cosim/text/json.hpp"
 #include "cosim/text/number_text.hpp"
 
 namespace armature::cosim {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr Pen kPlanned{.color = "#8c959f", .width = 1.2, .dashes = "6 4"};
 constexpr Pen kSetPoints{.color = "#9ecbff", .width = 5};

@@ -4,11 +4,10 @@
 #include <vector>
 
 #include "controller/base/angle_units.hpp"
+#include "cosim/text/json.hpp"
 
 namespace armature::cosim {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 // Zero if it is no vector.
 Eigen::Vector3d vector_of(const Json& value) {

@@ -5,18 +5,17 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "cosim/robot/robot_spec.hpp"
 #include "cosim/schema/key_text.hpp"
+#include "cosim/text/json.hpp"
 
 namespace armature::cosim {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Conditions = std::vector<Condition>;
 
 Json number(double value) {

@@ -5,9 +5,9 @@
 #include <string_view>
 
 #include "controller/base/angle_units.hpp"
-#include "cosim/text/decimal_text.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/time/clock.hpp"
+#include "cosim/trace/decimal_text.hpp"
 
 namespace armature::cosim {
 namespace {

@@ -5,9 +5,9 @@
 #include <cstring>
 #include <string>
 
-#include "cosim/text/decimal_text.hpp"
 #include "cosim/text/input_error.hpp"
 #include "cosim/trace/columns.hpp"
+#include "cosim/trace/decimal_text.hpp"
 
 namespace armature::cosim {
 namespace {

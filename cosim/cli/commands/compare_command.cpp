@@ -21,6 +21,7 @@
 #include "cosim/run/run_folder.hpp"
 #include "cosim/scenario/files/search_path.hpp"
 #include "cosim/text/input_error.hpp"
+#include "cosim/text/json.hpp"
 #include "cosim/text/printable.hpp"
 #include "cosim/text/shell_text.hpp"
 #include "cosim/waves/wave_input.hpp"
@@ -123,7 +124,6 @@ std::string next_text(const CompareOptions& given, const WaveComparison& waves) 
 int compare(const CompareOptions& given) {
   const Compared compared = compared_by(given);
   claim_files(given, compared);
-  using Json = nlohmann::ordered_json;
   bool equal = true;
   std::string text = compared.waves.why_none;
   Json json, waves_json = Json::array();

@@ -13,6 +13,7 @@
 #include "cosim/cli/options/output_options.hpp"
 #include "cosim/scenario/files/robot_loader.hpp"
 #include "cosim/scenario/files/scenario_loader.hpp"
+#include "cosim/text/json.hpp"
 #include "cosim/text/printable.hpp"
 
 namespace armature::cosim {
@@ -69,8 +70,6 @@ class Listing {
   bool anything_ = false;
   bool all_read_ = true;
 };
-
-using Json = nlohmann::ordered_json;
 
 // What `describe` adds about the file of an entry. A file that cannot be read has the key `error` instead.
 template <class Describe>

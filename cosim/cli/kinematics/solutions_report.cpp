@@ -11,6 +11,7 @@
 
 #include "controller/robot/axis_units.hpp"
 #include "cosim/poses/pose_files.hpp"
+#include "cosim/text/json.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/text/number_text.hpp"
 #include "cosim/text/printable.hpp"
@@ -83,7 +84,6 @@ std::string solutions_table(const IkSolutions& solutions, const JointAngles& pre
 
 nlohmann::ordered_json solutions_json(const IkSolutions& solutions, const JointAngles& previous,
                                       const ArmOfFile& robot) {
-  using Json = nlohmann::ordered_json;
   Json json = {{"robot", robot.spec.name},
                {"selected", solutions.selected >= 0 ? Json(solutions.selected) : Json(nullptr)},
                {"no_solution", solutions.count == 0 ? Json(no_solution_text(solutions)) : Json(nullptr)},

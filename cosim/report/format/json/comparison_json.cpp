@@ -3,10 +3,10 @@
 #include <cmath>
 #include <utility>
 
+#include "cosim/text/json.hpp"
+
 namespace armature::cosim {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json position_json(const RowPosition& at) {
   return {{"tick", at.tick}, {"time_s", at.time_s ? Json(*at.time_s) : Json(nullptr)}};

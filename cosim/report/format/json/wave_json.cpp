@@ -2,12 +2,11 @@
 
 #include <utility>
 
+#include "cosim/text/json.hpp"
 #include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json tick_json(const std::optional<std::int64_t>& tick) {
   return tick ? Json(*tick) : Json(nullptr);

@@ -1,4 +1,4 @@
-#include "cosim/text/decimal_text.hpp"
+#include "cosim/trace/decimal_text.hpp"
 
 #include <gtest/gtest.h>
 
