@@ -88,6 +88,7 @@ COSIM = {
     "logic": set(),
     "belt": set(),
     "net": {"text"},
+    "dynamics": set(),
     "robot": {"text"},
     "poses": {"text"},
     "programs": {"text", "poses"},
@@ -136,7 +137,7 @@ COSIM = {
     "serve": {"text", "net", "logic", "soc"},
 }
 COSIM["rewind"] = COSIM["run"] | {"run", "logic", "snapshot"}
-COSIM["cli"] = COSIM.keys() - {"keydoc", "kernel", "bus", "iss", "plant", "fault", "check", "model", "snapshot"}
+COSIM["cli"] = COSIM.keys() - {"keydoc", "kernel", "bus", "iss", "dynamics", "plant", "fault", "check", "model", "snapshot"}
 # The rooms of cosim/report: what is measured, the list of facts, what [expect] says about them, how they are written.
 REPORT = {
     "measure": set(),
