@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "controller/base/axes.hpp"
 #include "cosim/text/input_file.hpp"
@@ -28,6 +29,25 @@ struct DriveSpec {
   double min_step_low_ns = 100;
   double dir_setup_ns = 500;
   double dir_hold_ns = 500;
+};
+
+// [axis.dynamics]: what plant = "dynamic" needs beyond [axis.drive]. Torques and inertias are at the motor, those of
+// the gear and the joint at the joint.
+struct DynamicsSpec {
+  double rotor_inertia_kg_m2 = 0;  // motor and what turns with its speed
+  double viscous_nm_s = 0;         // friction of motor and gear
+  double coulomb_nm = 0;
+  double current_hz = 1000;       // bandwidth of the current loop
+  double integral_ms = 0;         // integral time of the speed loop; 0: no integral
+  double feed_forward = 0;        // of the speed, 0..1
+  double smoothing_ms = 0;        // time constant of the command filter
+  double dynamic_brake_nm_s = 0;  // shorted windings
+  double brake_nm = 0;            // holding brake; 0: none
+  double brake_engage_ms = 0, brake_release_ms = 0;
+  double stiffness_nm_rad = 0;   // of the gear
+  double gear_damping_nm_s = 0;  // of the gear
+  double backlash_deg = 0;       // whole play at the joint
+  double joint_viscous_nm_s = 0;
 };
 
 // [axis.homing]: how the controller finds the joint angle, see controller/activity/homing/axis_homing.hpp.
@@ -55,6 +75,7 @@ struct AxisSpec {
   std::optional<std::array<double, 2>> limit_switch_deg;  // active up to the first one and from the second one on
   std::optional<HomingSpec> homing;                       // none: the axis cannot be homed
   DriveSpec drive;
+  std::optional<DynamicsSpec> dynamics;  // with plant = "dynamic"
 };
 
 // Pulses of an angle, not rounded.
@@ -80,8 +101,17 @@ struct KinematicsSpec {
   double max_projection_deg = 0.01;  // five_r
 };
 
+// [[link]], [tool] and [payload]: a rigid body. A link in its Denavit-Hartenberg frame at its far end, the others in
+// the frame of the flange.
+struct BodySpec {
+  double mass_kg = 0;
+  std::array<double, 3> centre_mm{};
+  std::array<double, 6> inertia_kg_m2{};  // xx yy zz xy xz yz, about the centre of mass
+};
+
 inline constexpr std::string_view kServoPlant = "servo";
 inline constexpr std::string_view kIdealPlant = "ideal";
+inline constexpr std::string_view kDynamicPlant = "dynamic";
 
 // An axis whose gear, encoder and motor are not known: it follows at once, and nothing limits its motor.
 [[nodiscard]] inline AxisSpec ideal_axis() {
@@ -96,10 +126,13 @@ inline constexpr std::string_view kIdealPlant = "ideal";
 struct RobotSpec {
   std::string name;
   std::string description;
-  std::string plant{kServoPlant};  // "servo" | "ideal"
+  std::string plant{kServoPlant};  // "servo" | "ideal" | "dynamic"
   std::size_t axis_count = kAxes;  // 5 with five_r; the axes beyond are not driven
   PerAxis<AxisSpec> axes;          // those beyond axis_count: copies of axis 5 that never move
   std::optional<KinematicsSpec> kinematics;
+  std::vector<BodySpec> links;                             // of plant = "dynamic": one for each joint
+  BodySpec tool, payload;                                  // mass 0: none
+  std::array<double, 3> gravity_m_s2{0.0, 0.0, -9.80665};  // in the frame of the base
   InputFile source;
 };
 

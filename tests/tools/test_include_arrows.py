@@ -99,7 +99,8 @@ COSIM = {
     "engine": {"logic", "fabric", "bus", "soc", "model"},
     "cpu": {"time", "text", "bus"},
     "iss": {"time", "text", "net", "logic", "fabric", "cpu", "scenario", "report", "kernel", "run", "snapshot", "cli"},
-    "plant": {"time", "logic", "robot"},
+    "servo": {"logic", "robot", "dynamics"},
+    "plant": {"time", "logic", "robot", "servo"},
     "fault": {"time", "logic", "soc", "cpu", "plant"},
     "check": {"logic", "bus", "plant"},
     "serial": {"time", "text", "net"},
@@ -137,7 +138,19 @@ COSIM = {
     "serve": {"text", "net", "logic", "soc"},
 }
 COSIM["rewind"] = COSIM["run"] | {"run", "logic", "snapshot"}
-COSIM["cli"] = COSIM.keys() - {"keydoc", "kernel", "bus", "iss", "dynamics", "plant", "fault", "check", "model", "snapshot"}
+COSIM["cli"] = COSIM.keys() - {
+    "keydoc",
+    "kernel",
+    "bus",
+    "iss",
+    "dynamics",
+    "servo",
+    "plant",
+    "fault",
+    "check",
+    "model",
+    "snapshot",
+}
 # The rooms of cosim/report: what is measured, the list of facts, what [expect] says about them, how they are written.
 REPORT = {
     "measure": set(),
@@ -174,6 +187,7 @@ PLANT = {
     "cosim/logic/pins.hpp",
     "cosim/logic/whole_tick.hpp",
     "cosim/robot/robot_spec.hpp",
+    "cosim/servo/",
     "cosim/time/never.hpp",
 }
 # Of the parts that a scenario describes, the scenario may include their descriptions only.
