@@ -358,6 +358,7 @@ void Simulation::on_trigger() {
     row_.motor_from[axis] = motor.start.value();
     row_.motor_to[axis] = motor.target.value();
   }
+  row_.load_lead_deg = plant_.load_lead_deg();
   const std::array<CoreLoad, 2> load = load_until_now();
   for (std::size_t core = 0; core < load.size(); ++core) {
     row_.load[core] = {.awake_cycles = load[core].awake_cycles - load_before_[core].awake_cycles,

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "controller/base/axes.hpp"
 #include "cosim/logic/axis_bits.hpp"
@@ -16,7 +17,7 @@ struct Shaft {
   double error = 0.0;  // position minus reference [counts]
   double speed = 0.0;  // [counts per step]
 
-  [[nodiscard]] bool stands() const { return speed == 0.0; }
+  [[nodiscard]] bool stands() const { return speed == 0.0; }  // with all that it moves
   // Exactly on the reference and standing.
   [[nodiscard]] bool at_rest() const { return error == 0.0 && speed == 0.0; }
 };
@@ -57,6 +58,13 @@ class Mechanics {
   // Moves the shafts by one step (kPlantStep). `axes`: those that need it, one bit each, axis 1 is bit 0; the others
   // rest and their drives have no new demand. Returns the axes whose shafts it has stepped: at least `axes`.
   virtual std::uint8_t step(std::uint8_t axes, const MotorDemands& demands, Shafts& shafts) = 0;
+
+  // For mechanics with a state of their own: keep() marks this moment, take_back() returns to it.
+  virtual void keep() {}
+  virtual void take_back() {}
+
+  // The angle of each joint less that of its motor through the gear [deg]; none: the gears are rigid.
+  [[nodiscard]] virtual std::optional<PerAxis<double>> load_lead_deg() const { return std::nullopt; }
 };
 
 }  // namespace armature::cosim

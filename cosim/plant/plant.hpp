@@ -111,6 +111,8 @@ class Plant {
   [[nodiscard]] double motor_deg(std::size_t axis, Cycles now) const {
     return encoders_[axis].position(now) * joint_deg_per_count_[axis];
   }
+  // The angle of each joint less that of its motor, after the step in progress [deg]; none: the gears are rigid.
+  [[nodiscard]] std::optional<PerAxis<double>> load_lead_deg() const { return mechanics_->load_lead_deg(); }
   // Reference minus position in the drive, after the step in progress [counts].
   [[nodiscard]] double following_error(std::size_t axis) const { return drives_[axis].following_error(shafts_[axis]); }
 

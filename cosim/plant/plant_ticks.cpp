@@ -30,6 +30,7 @@ bool Plant::begin_tick(const TickPulses& tick, Cycles spacing) {
   begin.drives.clear();
   for (const ServoDrive& drive : drives_) begin.drives.push_back(drive.state());
   begin.shafts = shafts_;
+  mechanics_->keep();
   begin.moving = moving_;
   for (std::size_t axis = 0; axis < kAxes; ++axis) begin.motions[axis] = encoders_[axis].motions();
   ticks_->index.fill(std::nullopt);
@@ -66,6 +67,7 @@ bool Plant::can_leave_out(const TickPulses& tick) const {
 void Plant::revert_tick() {
   for (std::size_t axis = 0; axis < kAxes; ++axis) drives_[axis].set_state(ticks_->begin.drives[axis]);
   shafts_ = ticks_->begin.shafts;
+  mechanics_->take_back();
   moving_ = ticks_->begin.moving;
   for (std::size_t axis = 0; axis < kAxes; ++axis) encoders_[axis].set_motions(ticks_->begin.motions[axis]);
   if (ticks_->first) ticks_.reset();

@@ -63,6 +63,10 @@ struct ExpectSpec {
   std::optional<std::string> outcome;              // "completed" (default), "fault:<cause>"
   std::optional<PerAxis<double>> final_joint_deg;  // encoder side
   double tolerance_deg = 0.001;
+  std::optional<PerAxis<double>> final_load_deg;  // true angles of the joints
+  double load_tolerance_deg = 0.001;
+  std::optional<PerAxis<double>> lost_motion_deg;  // of the joints from their motors
+  double lost_motion_tolerance_deg = 0.001;
   std::optional<PerAxis<std::int64_t>> total_pulses;        // net pulses counted on the pins
   std::optional<PerAxis<std::int64_t>> final_error_counts;  // reference minus encoder at the end
   std::optional<std::vector<std::int64_t>> move_ticks;      // planned duration of each started move

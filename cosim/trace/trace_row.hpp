@@ -26,19 +26,20 @@ struct CoreLoad {
 };
 
 struct TraceRow {
-  Telemetry telemetry;                     // of the controller, as of this trigger
-  std::int64_t tick = 0;                   // number of the trigger that ends this row's tick, from 0
-  std::int64_t cycle = 0;                  // clock cycle of that trigger
-  PerAxis<std::int64_t> pin_pulses{};      // net rising edges on the step pins since reset
-  PerAxis<std::int64_t> pulses_to_drop{};  // pulses that a fault has still to drop
-  PerAxis<std::int64_t> motor_counts{};    // true motor position in encoder counts
-  PerAxis<std::int64_t> first_rise{};      // cycle of the first rising step edge of this tick; 0: none
-  PerAxis<std::int64_t> turned{};          // cycle of the latest change of dir in this tick; 0: none
-  PerAxis<std::int64_t> motor_from{};      // where the step of the motor before this trigger began [2^-24 counts]
-  PerAxis<std::int64_t> motor_to{};        // and where it ends
-  std::optional<ToolPoint> tool_point;     // none: not requested, or the robot has no kinematics
-  std::array<CoreLoad, 2> load{};          // of the tick that this trigger ends
-  bool stopped = false;                    // a servo enable is low after it was high
+  Telemetry telemetry;                           // of the controller, as of this trigger
+  std::int64_t tick = 0;                         // number of the trigger that ends this row's tick, from 0
+  std::int64_t cycle = 0;                        // clock cycle of that trigger
+  PerAxis<std::int64_t> pin_pulses{};            // net rising edges on the step pins since reset
+  PerAxis<std::int64_t> pulses_to_drop{};        // pulses that a fault has still to drop
+  PerAxis<std::int64_t> motor_counts{};          // true motor position in encoder counts
+  PerAxis<std::int64_t> first_rise{};            // cycle of the first rising step edge of this tick; 0: none
+  PerAxis<std::int64_t> turned{};                // cycle of the latest change of dir in this tick; 0: none
+  PerAxis<std::int64_t> motor_from{};            // where the step of the motor before this trigger began [2^-24 counts]
+  PerAxis<std::int64_t> motor_to{};              // and where it ends
+  std::optional<PerAxis<double>> load_lead_deg;  // joints less motors; none: the gears are rigid
+  std::optional<ToolPoint> tool_point;           // none: not requested, or the robot has no kinematics
+  std::array<CoreLoad, 2> load{};                // of the tick that this trigger ends
+  bool stopped = false;                          // a servo enable is low after it was high
 };
 
 }  // namespace armature::cosim

@@ -171,6 +171,17 @@ std::vector<Fact> make_list() {
     {.name = "final_joint_deg", .unit = "deg", .meaning = "Joint angle of each axis at the end, by the encoder",
      .value = measured<&F::final_joint_deg>, .screen = {"final angle deg", 4},
      .expectations = {within<&E::final_joint_deg, &E::tolerance_deg>("final_joint_deg", "tolerance_deg")}},
+    {.name = "final_load_deg", .unit = "deg",
+     .meaning = "True angle of each joint at the end, behind its gear. `null`: not with `plant = \"dynamic\"`, so the gears "
+                "are rigid",
+     .value = measured<&F::final_load_deg>, .screen = {"final load angle deg", 4},
+     .expectations = {within<&E::final_load_deg, &E::load_tolerance_deg>("final_load_deg", "load_tolerance_deg")}},
+    {.name = "lost_motion_deg", .unit = "deg",
+     .meaning = "By how much each joint moved relative to its motor in the run: play and twist of its gear. `null`: "
+                "likewise",
+     .value = measured<&F::lost_motion_deg>, .screen = {"lost motion deg", 4},
+     .expectations = {within<&E::lost_motion_deg, &E::lost_motion_tolerance_deg>("lost_motion_deg",
+                                                                                 "lost_motion_tolerance_deg")}},
     {.name = "final_error_counts", .unit = "counts", .meaning = "Reference minus encoder of each axis at the end",
      .value = measured<&F::final_error_counts>, .screen = {"final error counts"},
      .expectations = {equal<&E::final_error_counts>("final_error_counts")}},

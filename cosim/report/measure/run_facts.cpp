@@ -159,6 +159,12 @@ RunFacts RunFactsCollector::facts() const {
       if (facts.overshoot_counts[i] > 0) facts.overshoot_at[i] = axis.farthest_at;
     }
   }
+  if (last_.load_lead_deg) {
+    facts.final_load_deg = make_per_axis([&](std::size_t i) {
+      return static_cast<double>(last_.motor_counts[i]) * 360.0 / axes_[i].counts_per_turn + (*last_.load_lead_deg)[i];
+    });
+    facts.lost_motion_deg = make_per_axis([&](std::size_t i) { return (*most_lead_deg_)[i] - (*least_lead_deg_)[i]; });
+  }
   if (end.state == MotionState::kFault) facts.end_fault = end.fault;
   facts.controller_silent = (last_.stopped || servo_off_) && end.state != MotionState::kFault;
   if (facts.controller_silent || (stopped_ && facts.faults.empty())) {

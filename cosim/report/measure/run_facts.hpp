@@ -69,8 +69,11 @@ struct RunFacts {
   PerAxis<double> peak_speed_deg_s{};           // of the reference, mean over a tick, outside Fault
   PerAxis<std::int64_t> overshoot_counts{};     // encoder beyond the final reference since the axis last reversed
   PerAxis<double> worst_following_error_deg{};  // |reference - encoder|, as joint angles, outside Fault
-  std::int64_t peak_pulses_per_tick = 0;        // on the pins, any axis
-  std::int64_t max_correction_pulses = 0;       // |feedback correction|, any axis
+  // With elastic gears: the true angle of each joint at the end, and the range of the angle of the joint less that of
+  // its motor, between the triggers of the run.
+  std::optional<PerAxis<double>> final_load_deg, lost_motion_deg;
+  std::int64_t peak_pulses_per_tick = 0;   // on the pins, any axis
+  std::int64_t max_correction_pulses = 0;  // |feedback correction|, any axis
   std::int64_t underruns = 0;
   // Of core 0 in one tick, by MotionState; all 0: the processor does not count them. The place: of the largest of all.
   std::array<std::int64_t, kWordsOf<MotionState>.size()> most_instructions{};
@@ -199,12 +202,14 @@ class RunFactsCollector {
   };
   RowNews add_axes(const TraceRow& row);
   void add_instructions(const TraceRow& row);
+  void add_load_lead(const PerAxis<double>& lead_deg);
   void add_step(const TraceRow& row, std::size_t i, double step_rad, bool faulty);
   [[nodiscard]] bool is_outside(const Telemetry& telemetry, std::size_t i) const;         // the settling band
   [[nodiscard]] double exact_reference(const Telemetry& telemetry, std::size_t i) const;  // [counts]
   [[nodiscard]] std::int64_t reference_counts(const Telemetry& telemetry, std::size_t i) const;
 
   PerAxis<Axis> axes_{};
+  std::optional<PerAxis<double>> least_lead_deg_, most_lead_deg_;  // of the joints before their motors
   RunFacts facts_;
   PathErrorMeter path_error_;
   ToolMotionMeter tool_motion_;

@@ -50,12 +50,21 @@ void RunFactsCollector::add(const TraceRow& row) {
   facts_.last_trigger_at = here;
   if (!facts_.first_trigger_at) facts_.first_trigger_at = here;
   ++facts_.ticks;
+  if (row.load_lead_deg) add_load_lead(*row.load_lead_deg);
   path_error_.add(row);
   if (tracking_error_) tracking_error_->add(row);
   injections_.add(row);
   tool_before_.reset();
   if (last_.tool_point) tool_before_ = last_.tool_point->reference_mm;
   last_ = row;
+}
+
+void RunFactsCollector::add_load_lead(const PerAxis<double>& lead_deg) {
+  if (!least_lead_deg_) least_lead_deg_ = most_lead_deg_ = lead_deg;
+  for (std::size_t i = 0; i < kAxes; ++i) {
+    (*least_lead_deg_)[i] = std::min((*least_lead_deg_)[i], lead_deg[i]);
+    (*most_lead_deg_)[i] = std::max((*most_lead_deg_)[i], lead_deg[i]);
+  }
 }
 
 void RunFactsCollector::add_instructions(const TraceRow& row) {

@@ -39,6 +39,33 @@ bool may_be_missing(const MissingKey& missing) {
   return missing.key == "gear_ratio" || missing.key == "pulses_per_rev" || missing.key == "encoder_lines";
 }
 
+// [[link]], [tool], [payload] and [axis.dynamics] belong to plant = "dynamic", which needs the first and the last.
+// `bare`: axes without dynamics.
+void read_bodies(TableReader& reader, const KeyContext& context, const std::vector<std::size_t>& bare,
+                 RobotSpec& robot) {
+  const bool dynamic = robot.plant == kDynamicPlant;
+  const std::string why = "only with plant = \"" + std::string{kDynamicPlant} + "\"";
+  reader.tables(
+      "link", [&](TableReader& table) { body_keys().read(table, context, robot.links.emplace_back()); }, kAxes);
+  reader.table("tool", [&](TableReader& table) { body_keys().read(table, context, robot.tool); });
+  reader.table("payload", [&](TableReader& table) { body_keys().read(table, context, robot.payload); });
+  if (!dynamic) {
+    for (const char* key : {"gravity_m_s2", "link", "tool", "payload"}) {
+      if (reader.has(key)) reader.problem(key, why);
+    }
+    if (bare.size() < robot.axis_count) reader.problem("plant", "expected \"dynamic\", because an axis has dynamics");
+    return;
+  }
+  if (!robot.kinematics) reader.problem("plant", "needs [kinematics], which gives the frames of the links");
+  if (robot.links.size() != robot.axis_count) {
+    reader.problem("link", "expected " + std::to_string(robot.axis_count) + " tables [[link]], found " +
+                               std::to_string(robot.links.size()));
+  }
+  for (const std::size_t axis : bare) {
+    reader.problem("axis", element_key("axis", axis) + " has no dynamics, which plant = \"dynamic\" needs");
+  }
+}
+
 // Checks that the number of tables [[axis]], `count`, fits the arm.
 void check_axis_count(TableReader& reader, const RobotSpec& robot, std::size_t count) {
   if (robot.kinematics && robot.kinematics->family.empty()) return;  // not known, and reported
@@ -85,6 +112,7 @@ RobotSpec load_robot(const std::filesystem::path& file, std::vector<Problem>& al
   std::size_t index = 0;
   std::vector<MissingKey> missing;
   std::vector<ReadAxis> good;
+  std::vector<std::size_t> bare;  // axes without dynamics
   const std::size_t count = reader.tables("axis", [&](TableReader& table) {
     AxisSpec axis = ideal ? ideal_axis() : AxisSpec{};
     const std::size_t before = problems.size() + missing.size();
@@ -93,6 +121,7 @@ RobotSpec load_robot(const std::filesystem::path& file, std::vector<Problem>& al
     axis_keys().read(table, context, axis);
     if (ideal) std::erase_if(missing, may_be_missing);
     if (problems.size() + missing.size() == before) good.push_back({index, axis});
+    if (!axis.dynamics) bare.push_back(index);
     if (index < kAxes) robot.axes[index] = axis;
     ++index;
   });
@@ -101,6 +130,7 @@ RobotSpec load_robot(const std::filesystem::path& file, std::vector<Problem>& al
   if (all_known) report_missing(root, count, missing, problems);
   if (wrong_defaults == 0) check_axes(root, good, problems);
   check_axis_count(reader, robot, count);
+  read_bodies(reader, context, bare, robot);
   for (std::size_t i = robot.axis_count; i < kAxes; ++i) robot.axes[i] = robot.axes[robot.axis_count - 1];
   const std::string stem = file.stem().string();
   if (!robot.name.empty() && robot.name != stem) {

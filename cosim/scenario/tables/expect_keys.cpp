@@ -42,6 +42,12 @@ std::string check_ascending(const ExpectSpec& expect, const KeyContext&) {
   return "expected pins in ascending order, each once, found [" + found + "]";
 }
 
+std::string check_elastic(const ExpectSpec&, const KeyContext& context) {
+  const RobotSpec* robot = context.robot.spec;
+  if (robot == nullptr || robot->plant == kDynamicPlant) return {};
+  return "needs a robot with plant = \"" + std::string{kDynamicPlant} + "\", \"" + robot->name + "\" has rigid gears";
+}
+
 std::string check_stretch(const ExpectSpec& expect, const KeyContext&) {
   if (!expect.max_stretch || *expect.min_stretch <= *expect.max_stretch) return {};
   return "expected at most max_stretch = " + number_text(*expect.max_stretch) + ", found " +
@@ -107,6 +113,19 @@ const KeyTable<ExpectSpec>& expect_keys() {
               key("tolerance_deg", &ExpectSpec::tolerance_deg, between(0, kMaxAngleDeg, "deg"),
                   "Tolerance of `final_joint_deg`.")
                   .only(beside("final_joint_deg")),
+              key("final_load_deg", &ExpectSpec::final_load_deg, between(-kMaxAngleDeg, kMaxAngleDeg, "deg"),
+                  "True joint angles at the end, behind the gears, of a robot with `plant = \"dynamic\"`.")
+                  .checked(check_elastic),
+              key("load_tolerance_deg", &ExpectSpec::load_tolerance_deg, between(0, kMaxAngleDeg, "deg"),
+                  "Tolerance of `final_load_deg`.")
+                  .only(beside("final_load_deg")),
+              key("lost_motion_deg", &ExpectSpec::lost_motion_deg, between(0, kMaxAngleDeg, "deg"),
+                  "By how much each joint moved relative to its motor in the run, likewise: play and twist of its "
+                  "gear.")
+                  .checked(check_elastic),
+              key("lost_motion_tolerance_deg", &ExpectSpec::lost_motion_tolerance_deg, between(0, kMaxAngleDeg, "deg"),
+                  "Tolerance of `lost_motion_deg`.")
+                  .only(beside("lost_motion_deg")),
               key("total_pulses", &ExpectSpec::total_pulses, any_count("pulses"),
                   "Net pulses of each axis, counted on the pins."),
               key("peak_pulses_per_tick", &ExpectSpec::peak_pulses_per_tick, count("pulses"),

@@ -110,7 +110,8 @@ const KeyTable<AxisSpec>& axis_keys() {
                   "positive one at the second angle and above. They are not within `min_deg` and `max_deg`.")
                   .without("no limit switches"),
           },
-      .tables = {table("drive", &AxisSpec::drive, drive_keys()), table("homing", &AxisSpec::homing, homing_keys())}};
+      .tables = {table("drive", &AxisSpec::drive, drive_keys()), table("homing", &AxisSpec::homing, homing_keys()),
+                 table("dynamics", &AxisSpec::dynamics, dynamics_keys())}};
   return kTable;
 }
 
@@ -118,7 +119,10 @@ const KeyTable<RobotSpec>& robot_keys() {
   static const std::string kPlantText = [] {
     const AxisSpec ideal = ideal_axis();
     return fmt::format(
-        "What is known of the gears, encoders and motors. `servo`: all. `ideal`: not all, because few makers publish "
+        "What is known of the gears, encoders and motors. `servo`: each axis is a system of second order that no other "
+        "one and no load moves. `dynamic`: loops of the drive, friction, brake, elastic gear and the rigid bodies of "
+        "the "
+        "arm, see `dynamics` and `[[link]]`. `ideal`: not all, because few makers publish "
         "them. An axis then needs no `gear_ratio`, `pulses_per_rev` and `encoder_lines`. Their defaults are {}, {} and "
         "{}, and those of the drive are `natural_hz` = {}, `max_speed_rpm` = {} and `max_torque_nm` = {}, which limit "
         "nothing.",
@@ -132,7 +136,10 @@ const KeyTable<RobotSpec>& robot_keys() {
               "Name of the robot. It must be the name of the file without `.toml`.")
               .required(),
           key("description", &RobotSpec::description, anything(), "One line about the robot for `armature list`."),
-          key("plant", &RobotSpec::plant, one_of({kServoPlant, kIdealPlant}), kPlantText),
+          key("plant", &RobotSpec::plant, one_of({kServoPlant, kIdealPlant, kDynamicPlant}), kPlantText),
+          key("gravity_m_s2", &RobotSpec::gravity_m_s2, between(-100, 100, "m/s^2"),
+              "Acceleration of gravity in the frame of the base, for `plant = \"dynamic\"`. An arm that hangs from a "
+              "ceiling has it in the other direction."),
       }};
   return kTable;
 }
@@ -153,7 +160,17 @@ TableInfo robot_file() {
   axis.least = joints_of(kFiveRFamily);
   axis.most = kAxes;
   axis.all_optional = true;  // an axis inherits missing keys
-  file.tables = {kinematics, defaults, axis};
+  TableInfo link = body_keys().info();
+  link.name = "link";
+  link.repeated = true;
+  link.most = kAxes;
+  TableInfo tool = body_keys().info();
+  tool.name = "tool";
+  tool.text = "The tool as a rigid body in the frame of the flange, for `plant = \"dynamic\"`.";
+  TableInfo payload = tool;
+  payload.name = "payload";
+  payload.text = "What the tool carries, likewise.";
+  file.tables = {kinematics, defaults, axis, link, tool, payload};
   return file;
 }
 

@@ -38,6 +38,8 @@ namespace armature::cosim {
 [[nodiscard]] const KeyTable<RobotSpec>& robot_keys();  // the whole file; robot_loader reads its tables
 [[nodiscard]] const KeyTable<KinematicsSpec>& kinematics_keys();
 [[nodiscard]] const KeyTable<AxisSpec>& axis_keys();
+[[nodiscard]] const KeyTable<DynamicsSpec>& dynamics_keys();
+[[nodiscard]] const KeyTable<BodySpec>& body_keys();
 
 // Both kinds of files, for documents and schemas.
 [[nodiscard]] TableInfo scenario_file();
