@@ -180,7 +180,8 @@ bool ServoArm::turn_loads(const std::array<Pair, kAxisPairs>& gears) {
 WholePair ServoArm::rest_lanes(std::size_t pair, bool loads_move) const {
   if (loads_move) return WholePair{};
   const WholePair currents = (state_.torque.pair(pair) != both(0.0)) | (state_.lag.pair(pair) != both(0.0));
-  const WholePair brakes_wait = ~controlled_lanes(pair) & (state_.braking.pair(pair) == both(0.0));
+  const auto waits = [&](std::size_t axis) { return state_.brake_in[axis] != 0 ? std::int64_t{-1} : 0; };
+  const WholePair brakes_wait{waits(2 * pair), waits(2 * pair + 1)};
   return ~(currents | brakes_wait);
 }
 

@@ -24,7 +24,7 @@ double decay(double x) {
 }
 
 std::int32_t whole_steps(double ms, double step_s) {
-  return static_cast<std::int32_t>(ms * 1e-3 / step_s + 0.5);
+  return static_cast<std::int32_t>(std::lround(ms * 1e-3 / step_s));
 }
 
 void set_axis(ServoNumbers& numbers, std::size_t i, const AxisSpec& axis) {

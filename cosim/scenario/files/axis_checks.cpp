@@ -133,6 +133,28 @@ std::optional<Failure> check_lag(const AxisSpec& axis) {
                                                          number_text(axis.following_error_deg)};
 }
 
+// The plant integrates the motor and its gear in steps of 5 us (cosim/servo). It refuses what is close to unstable.
+constexpr double kMotorStepS = 5e-6;
+
+std::optional<Failure> check_stiffness(const AxisSpec& axis) {
+  if (!axis.dynamics) return std::nullopt;
+  const double most = 0.1 * axis.dynamics->rotor_inertia_kg_m2 * gear(axis) * gear(axis) / (kMotorStepS * kMotorStepS);
+  if (axis.dynamics->stiffness_nm_rad <= most) return std::nullopt;
+  return Failure{axis.dynamics->stiffness_nm_rad / most,
+                 "expected at most " + rounded(most) + " with this rotor and gear_ratio, for steps of 5 us, found " +
+                     number_text(axis.dynamics->stiffness_nm_rad)};
+}
+
+std::optional<Failure> check_speed_loop(const AxisSpec& axis) {
+  if (!axis.dynamics) return std::nullopt;
+  const double bandwidth = 2.0 * axis.drive.damping * 2.0 * std::numbers::pi * axis.drive.natural_hz;
+  const double most = 0.5 * axis.dynamics->rotor_inertia_kg_m2 / (bandwidth * kMotorStepS);
+  if (axis.drive.inertia_kg_m2 <= most) return std::nullopt;
+  return Failure{axis.drive.inertia_kg_m2 / most,
+                 "expected at most " + number_text(most) + " for this rotor, natural_hz and damping, found " +
+                     number_text(axis.drive.inertia_kg_m2) + ": the speed loop would be too fast for steps of 5 us"};
+}
+
 const std::vector<Check>& checks() {
   static const std::vector<Check> kChecks{
       {{"min_deg", "max_deg"}, check_limits},
@@ -144,6 +166,8 @@ const std::vector<Check>& checks() {
       {{"max_speed_deg_s", "encoder_lines", "gear_ratio"}, check_count_rate},
       {{"max_accel_deg_s2", "drive.max_torque_nm", "drive.inertia_kg_m2", "gear_ratio"}, check_torque},
       {{"following_error_deg", "drive.natural_hz", "drive.damping", "max_speed_deg_s"}, check_lag},
+      {{"dynamics.stiffness_nm_rad", "dynamics.rotor_inertia_kg_m2", "gear_ratio"}, check_stiffness},
+      {{"drive.inertia_kg_m2", "dynamics.rotor_inertia_kg_m2", "drive.natural_hz", "drive.damping"}, check_speed_loop},
   };
   return kChecks;
 }

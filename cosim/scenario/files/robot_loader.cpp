@@ -40,8 +40,8 @@ bool may_be_missing(const MissingKey& missing) {
 }
 
 // [[link]], [tool], [payload] and [axis.dynamics] belong to plant = "dynamic", which needs the first and the last.
-// `bare`: axes without dynamics.
-void read_bodies(TableReader& reader, const KeyContext& context, const std::vector<std::size_t>& bare,
+// `bare`: those of the `axes` axes that have no dynamics.
+void read_bodies(TableReader& reader, const KeyContext& context, const std::vector<std::size_t>& bare, std::size_t axes,
                  RobotSpec& robot) {
   const bool dynamic = robot.plant == kDynamicPlant;
   const std::string why = "only with plant = \"" + std::string{kDynamicPlant} + "\"";
@@ -53,7 +53,7 @@ void read_bodies(TableReader& reader, const KeyContext& context, const std::vect
     for (const char* key : {"gravity_m_s2", "link", "tool", "payload"}) {
       if (reader.has(key)) reader.problem(key, why);
     }
-    if (bare.size() < robot.axis_count) reader.problem("plant", "expected \"dynamic\", because an axis has dynamics");
+    if (bare.size() < axes) reader.problem("plant", "expected \"dynamic\", because an axis has dynamics");
     return;
   }
   if (!robot.kinematics) reader.problem("plant", "needs [kinematics], which gives the frames of the links");
@@ -130,7 +130,7 @@ RobotSpec load_robot(const std::filesystem::path& file, std::vector<Problem>& al
   if (all_known) report_missing(root, count, missing, problems);
   if (wrong_defaults == 0) check_axes(root, good, problems);
   check_axis_count(reader, robot, count);
-  read_bodies(reader, context, bare, robot);
+  read_bodies(reader, context, bare, index, robot);
   for (std::size_t i = robot.axis_count; i < kAxes; ++i) robot.axes[i] = robot.axes[robot.axis_count - 1];
   const std::string stem = file.stem().string();
   if (!robot.name.empty() && robot.name != stem) {

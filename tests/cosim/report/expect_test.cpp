@@ -44,6 +44,8 @@ RunFacts good_run() {
   facts.inexact_ticks = {7, 0, 0, 0, 0, 0};
   facts.max_residual_pulses = 5;
   facts.lost_counts = {0, -8, 0, 0, 0, 0};
+  facts.final_load_deg = PerAxis<double>{0, -0.05, 0, 0, 0, 0};
+  facts.lost_motion_deg = PerAxis<double>{0, 0, 0, 0.08, 0, 0};
   facts.settle_s = 0.02;
   facts.solved_poses = 100;
   facts.solver_difference_pulses = 0.5;
@@ -104,6 +106,9 @@ ExpectSpec all_of_it() {
   expect.inexact_ticks = PerAxis<std::int64_t>{7, 0, 0, 0, 0, 0};
   expect.max_residual_pulses = 5;
   expect.lost_counts = PerAxis<std::int64_t>{0, -8, 0, 0, 0, 0};
+  expect.final_load_deg = PerAxis<double>{0, -0.05, 0, 0, 0, 0};
+  expect.lost_motion_deg = PerAxis<double>{0, 0, 0, 0.08, 0, 0};
+  expect.lost_motion_tolerance_deg = 0.01;
   return expect;
 }
 
@@ -209,6 +214,12 @@ TEST(Expect, EachKeyFailsForItselfAndSaysWhatItGot) {
        "difference -1)"},
       {[](RunFacts& f) { f.homings[1].ended.reset(); },
        "expect.homing_ends: expected [homed, no_index], got [no_index]"},
+      {[](RunFacts& f) { (*f.final_load_deg)[1] = -0.052; },
+       "expect.final_load_deg: expected [0, -0.05, 0, 0, 0, 0] +-0.001, got [0, -0.052, 0, 0, 0, 0] (axis 2 differs: "
+       "expected -0.05, got -0.052, difference -0.002)"},
+      {[](RunFacts& f) { (*f.lost_motion_deg)[3] = 0.1; },
+       "expect.lost_motion_deg: expected [0, 0, 0, 0.08, 0, 0] +-0.01, got [0, 0, 0, 0.1, 0, 0] (axis 4 differs: "
+       "expected 0.08, got 0.1, difference 0.02)"},
       {[](RunFacts& f) { f.max_residual_pulses = 6; }, "expect.max_residual_pulses: expected at most 5, got 6"},
       {[](RunFacts& f) { f.lost_counts[1] = -9; },
        "expect.lost_counts: expected [0, -8, 0, 0, 0, 0], got [0, -9, 0, 0, 0, 0] (axis 2 differs: expected -8, got "

@@ -44,6 +44,7 @@ TEST(FactList, AValueMeetsAnExpectationOfItself) {
   RunFacts facts;
   facts.moves.resize(1);
   facts.stopped_by = "estop";
+  facts.final_load_deg = facts.lost_motion_deg = PerAxis<double>{1, 2, 3, 4, 5, 6};
   facts.final_tcp_mm = Eigen::Vector3d{1, 2, 3};
   facts.final_rotation = Eigen::Matrix3d::Identity();
   Scenario scenario;

@@ -64,6 +64,20 @@ TEST_F(RunFactsTest, AJumpOfTheReferenceAroundFaultIsNoSpeedAndNoFollowingError)
   EXPECT_NEAR(collector.facts().worst_following_error_deg[0], 7.2e-4, 1e-12);
 }
 
+TEST_F(RunFactsTest, ElasticGearsHaveATrueAngleAndALostMotion) {
+  tick(0, 0);
+  EXPECT_FALSE(collector.facts().final_load_deg);
+  EXPECT_FALSE(collector.facts().lost_motion_deg);
+  for (const double lead_deg : {0.03, -0.05, 0.01}) {
+    next.load_lead_deg = PerAxis<double>{lead_deg, 0, 0, 0, 0, 0};
+    next.motor_counts[0] = 1000;
+    tick(0, 0);
+  }
+  EXPECT_NEAR(collector.facts().final_load_deg.value()[0], 1000 * 7.2e-4 + 0.01, 1e-12);
+  EXPECT_NEAR(collector.facts().lost_motion_deg.value()[0], 0.08, 1e-12);
+  EXPECT_EQ(collector.facts().lost_motion_deg.value()[1], 0);
+}
+
 TEST_F(RunFactsTest, AJumpOfTheReferenceAtTheEndOfHomingIsNoSpeed) {
   next.telemetry.referenced = 0;
   tick(0, 0);

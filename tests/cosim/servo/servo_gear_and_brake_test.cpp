@@ -136,6 +136,21 @@ TEST(ServoBrake, HoldsALoadBitForBit) {
 }
 
 // The plant makes steps while a shaft has a speed.
+TEST(ServoBrake, AsksForStepsUntilItIsOpen) {
+  AxisSpec axis = plain_servo();
+  axis.dynamics->brake_nm = 1;
+  axis.dynamics->brake_release_ms = 10;
+  ServoRig rig{axis};
+  for (int i = 0; i < 2'000; ++i) {
+    rig.step();
+    ASSERT_NE(rig.speed[0], 0) << i;
+  }
+  rig.step();
+  EXPECT_FALSE(rig.arm.brake_engaged(0));
+  EXPECT_EQ(rig.error[0], 0);
+  EXPECT_EQ(rig.speed[0], 0);  // nothing pulls
+}
+
 TEST(ServoBrake, AsksForStepsUntilTheLoadRestsToo) {
   AxisSpec axis = soft_gear();
   axis.dynamics->brake_nm = 1e6;
