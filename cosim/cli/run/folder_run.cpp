@@ -9,6 +9,7 @@
 #include "cosim/report/format/json/summary_json.hpp"
 #include "cosim/run/engine_waves.hpp"
 #include "cosim/run/run_folder.hpp"
+#include "cosim/serial/silent_peer.hpp"
 #include "cosim/text/text_file.hpp"
 
 namespace armature::cosim {
@@ -48,6 +49,8 @@ RunSummary run_into_folder(Scenario& scenario, const FolderRunOptions& given) {
   prepare_serial_log(out / kSerialFile);
   options.serial_log = out / kSerialFile;
   options.serial_peer = serial_port.get();
+  SilentPeer nobody;  // a replay sends what the pendant has sent, so the pendant does not
+  if (given.serial && !serial_port && scenario.pendant) options.serial_peer = &nobody;
   const bool compared = given.why_not_compared.empty();
   if (compared) options.compare_golden = {out / kTraceFile, scenario.trace.every_ticks};
   RunSummary summary = run_scenario(scenario, options);

@@ -11,18 +11,11 @@
 #include "cosim/report/format/progress_bar.hpp"
 #include "cosim/run/progress_listener.hpp"
 #include "cosim/serial/serial_log.hpp"
+#include "cosim/serial/silent_peer.hpp"
 #include "cosim/text/text_file.hpp"
 
 namespace armature::cosim {
 namespace {
-
-// Takes the place of the program that was at the serial line, and of the scripted pendant. The script of the scenario
-// sends what they have sent.
-class NobodyThere final : public SerialPeer {
- public:
-  void exchange(Cycles, std::size_t, std::vector<std::uint8_t>&) override {}
-  void send(std::uint8_t) override {}
-};
 
 std::string_view what_was_not(WaveReason reason) {
   switch (reason) {
@@ -43,7 +36,7 @@ MomentWaveResult no_wave(const WaveOutput& output, std::string why) {
 Cycles run_again(const MomentWaveRequest& request, const EndedRun& first, const WaveSpan& span) {
   Scenario scenario = first.scenario;
   if (scenario.engine == Engine::kModel) scenario.engine = Engine::kRtl;
-  NobodyThere nobody;
+  SilentPeer nobody;
   if (first.heard) {
     scenario.serial_sends =
         parse_serial_log(*first.heard, read_text_file(*first.heard, kMaxTableBytes), *scenario.serial);

@@ -113,6 +113,14 @@ class Serial(Program):
         done = self.armature("run", self.still(0.01004), "--out", "c", "--serial", "replay:a/serial.csv")
         self.assertIn("1 characters or breaks of a/serial.csv come after the end of the run", done.stdout)
 
+    def test_a_replay_takes_the_place_of_the_scripted_pendant(self):
+        self.armature("run", "pendant_jog", "--out", "a")
+        self.armature("run", "pendant_jog", "--out", "b", "--serial", "replay:a/serial.csv")
+        self.assertGreater(len(self.received("a")), 100)
+        self.assertEqual(self.log("a"), self.log("b"))
+        for name in ("trace.csv", "load.csv"):
+            self.assertEqual((self.folder / "a" / name).read_bytes(), (self.folder / "b" / name).read_bytes())
+
     def test_tcp_clients_come_and_go(self):
         run, place = self.start(self.still(0.5), "--out", "x", "--serial", "tcp:0")
         host, port = place[1].split(":")
