@@ -12,14 +12,10 @@
 #include "cosim/text/blanks.hpp"
 
 namespace armature::cosim {
-namespace {
 
-// The time that it takes does not depend on where the two differ.
-bool same_text(std::string_view a, std::string_view b) {
-  return a.size() == b.size() && CRYPTO_memcmp(a.data(), b.data(), a.size()) == 0;
+bool same_token(std::string_view given, std::string_view token) {
+  return given.size() == token.size() && CRYPTO_memcmp(given.data(), token.data(), given.size()) == 0;
 }
-
-}  // namespace
 
 std::string random_token() {
   std::array<std::uint8_t, 16> bytes{};
@@ -41,7 +37,7 @@ Admission check_first_line(std::string_view first_line, const std::optional<std:
   if (!is_token) {
     return {.answer = "error the first line must be 'token TOKEN', with the token that the server printed; closed\n"};
   }
-  if (!same_text(trimmed(line.substr(word.size())), *token)) {
+  if (!same_token(trimmed(line.substr(word.size())), *token)) {
     return {.answer =
                 "error wrong token: the first line must be 'token TOKEN', with the token that the server printed; "
                 "closed\n"};

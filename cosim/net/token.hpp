@@ -13,6 +13,9 @@ namespace armature::cosim {
 // 32 hexadecimal digits, 128 bits of the system's randomness. Throws std::system_error.
 [[nodiscard]] std::string random_token();
 
+// True when both are equal. The time that it takes does not depend on where they differ.
+[[nodiscard]] bool same_token(std::string_view given, std::string_view token);
+
 // Result of the check of a client's first line.
 struct Admission {
   bool admitted = false;
