@@ -1,4 +1,4 @@
-// The parts of the page that the build embeds into the program (embed.cmake).
+// The parts of the pages that the build embeds into the program (embed.cmake).
 #pragma once
 
 #include <string_view>
@@ -12,6 +12,7 @@ struct EmbeddedPage {
   std::string_view scripts;    // JavaScript of web/
 };
 
-[[nodiscard]] EmbeddedPage embedded_page();
+[[nodiscard]] EmbeddedPage embedded_page();       // the report
+[[nodiscard]] EmbeddedPage embedded_live_page();  // of `armature live`
 
 }  // namespace armature::cosim

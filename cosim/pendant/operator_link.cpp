@@ -214,6 +214,18 @@ void OperatorLink::press_estop() {
   say("EMERGENCY STOP");
 }
 
+void OperatorLink::let_go() {
+  drop_everything();
+  if (!in_session_) return;
+  if (state() != pendant::State::kRun) {
+    waiting_.push_back({.opcode = Opcode::kStop});
+  } else if (extended()) {
+    waiting_.push_back({.opcode = Opcode::kHold});
+  } else {
+    press_estop();
+  }
+}
+
 bool OperatorLink::download(Content kind, std::string name, std::string text) {
   if (downloading()) return false;
   const auto size = static_cast<std::int32_t>(text.size());

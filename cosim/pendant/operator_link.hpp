@@ -2,6 +2,7 @@
 // controller reports.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -40,11 +41,16 @@ class OperatorLink {
 
   // Sends a command after those that wait; false when too many wait or there is no link.
   bool press(const pendant::Frame& command);
+  // How many commands can be added to those that wait.
+  [[nodiscard]] std::size_t room() const { return kMaxWaiting - std::min(waiting_.size(), kMaxWaiting); }
   // Jogs until the time `until`, in place of another jog. `velocity`: 0.01 % of the speed of jogs.
   void jog(std::uint8_t axis, std::int32_t velocity, Time until);
   void release_jog();
   // Sends the emergency stop until the controller reports it, and drops the commands that wait.
   void press_estop();
+  // The person is gone: drops the commands that wait, and stops the arm. A program is held; with the profile `strict`
+  // only the emergency stop ends it. Call it again while the arm moves: the state that is known here may be old.
+  void let_go();
   // Sends a program. False while another one is sent or without a link. Every character must be below 128.
   bool download(pendant::Content kind, std::string name, std::string text);
 
@@ -66,6 +72,7 @@ class OperatorLink {
   [[nodiscard]] std::optional<std::size_t> job_of(std::string_view name) const;
   // True when the controller has confirmed a breakpoint; `place`: as the page `line` has it.
   [[nodiscard]] bool has_breakpoint(std::int32_t place) const { return breakpoints_.contains(place); }
+  [[nodiscard]] const std::set<std::int32_t>& breakpoints() const { return breakpoints_; }
   [[nodiscard]] bool downloading() const { return transfer_ != Transfer::kNone; }
   [[nodiscard]] bool estop_pressed() const { return estop_pressed_; }
   // What the program of the controller said last; none: nothing since it began.

@@ -8,8 +8,9 @@
 
 namespace armature::cosim {
 
-FactsListener::FactsListener(const Scenario& scenario)
-    : facts_{scenario.robot, scenario.expect.settled_counts, scenario.conveyor, CommandNames{scenario}} {
+FactsListener::FactsListener(const Scenario& scenario, SentBytes sent_bytes)
+    : facts_{scenario.robot, scenario.expect.settled_counts, scenario.conveyor, CommandNames{scenario}},
+      sent_bytes_{sent_bytes} {
   if (scenario.robot.kinematics) tool_.emplace(scenario);
 }
 
@@ -49,7 +50,7 @@ void FactsListener::on_signal(const Signal& signal, const RunPlace& place) {
                  [&](const ServoEnables& enables) { facts_.add_servo_enables(enables.levels, place.at); },
                  [&](const BusAbort& abort) { facts_.add(bus_abort_event(abort, place)); },
                  [&](const SerialEvent& event) {
-                   if (event.direction != SerialDirection::kTx) return;
+                   if (event.direction != SerialDirection::kTx || sent_bytes_ == SentBytes::kForgotten) return;
                    facts_.add_serial(event.byte, event.has_error(), event.is_break);
                  },
                  [](const PendantStepDone&) {},

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -12,9 +13,13 @@
 
 namespace armature::cosim {
 
+// What the controller sends on the serial line: kept for the fact `serial_sent`, or forgotten, so that a run of hours
+// does not grow.
+enum class SentBytes : std::uint8_t { kKept, kForgotten };
+
 class FactsListener final : public RunListener {
  public:
-  explicit FactsListener(const Scenario& scenario);
+  explicit FactsListener(const Scenario& scenario, SentBytes sent_bytes = SentBytes::kKept);
 
   void on_row(const TraceRow& row, const IntegerDigest& digest) override;
   void on_event(const Event& event, const RunPlace& place) override;
@@ -29,6 +34,7 @@ class FactsListener final : public RunListener {
 
  private:
   RunFactsCollector facts_;
+  SentBytes sent_bytes_;
   std::optional<ToolPointMeter> tool_;           // nullopt: the robot has no kinematics
   std::optional<Eigen::Vector3d> set_point_mm_;  // of the tool in the last row
   PerAxis<Radians> reference_{};                 // likewise, of the joints

@@ -15,7 +15,7 @@ constexpr std::int64_t kWriteTicks = 2'000;  // 0.1 s: the most that a killed ru
 
 Run::Run(const Scenario& scenario, RunParts parts)
     : scenario_{scenario},
-      facts_{scenario},
+      facts_{scenario, parts.sent_bytes},
       needs_tool_point_{needs_tool_point(scenario)},
       simulation_{scenario, make_soc(scenario), *this, std::move(parts.wave), parts.serial_peer} {}
 

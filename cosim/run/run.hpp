@@ -28,6 +28,7 @@ namespace armature::cosim {
 struct RunParts {
   std::optional<WaveRequest> wave{};
   SerialPeer* serial_peer = nullptr;  // as in Simulation
+  SentBytes sent_bytes = SentBytes::kKept;
 };
 
 class Run final : private SimulationListener {

@@ -138,6 +138,7 @@ COSIM = {
     "serve": {"text", "net", "logic", "soc"},
 }
 COSIM["rewind"] = COSIM["run"] | {"run", "logic", "snapshot"}
+COSIM["live"] = COSIM["run"] | {"run", "robot", "programs", "poses", "logic", "pendant", "page"}
 COSIM["cli"] = COSIM.keys() - {
     "keydoc",
     "kernel",
@@ -158,14 +159,17 @@ REPORT = {
     "judge": {"measure", "facts"},
     "format": {"measure", "facts", "judge"},
 }
-# The command line: what a command is, what its options have, waveforms of runs, what runs and keeps files, the commands.
+# The command line: what a command is, what its options have, waveforms of runs, what runs and keeps files, texts of
+# single commands, the loop of a live session, the commands.
 CLI = {
     "command": set(),
     "options": {"command"},
     "waves": {"command", "options"},
     "kinematics": {"command", "options"},
     "run": {"command", "options", "waves"},
-    "commands": {"command", "options", "waves", "kinematics", "run"},
+    "texts": {"command", "options"},
+    "live": {"command", "options", "waves", "run"},
+    "commands": {"command", "options", "waves", "kinematics", "run", "texts", "live"},
 }
 # Folders whose own folders have rules.
 NESTED = {

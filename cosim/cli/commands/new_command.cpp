@@ -10,8 +10,8 @@
 #include <system_error>
 
 #include "cosim/cli/command/command.hpp"
-#include "cosim/cli/commands/new_scenario.hpp"
 #include "cosim/cli/options/value_kinds.hpp"
+#include "cosim/cli/texts/new_scenario.hpp"
 #include "cosim/scenario/files/robot_loader.hpp"
 #include "cosim/scenario/files/search_path.hpp"
 #include "cosim/schema/file_kinds.hpp"

@@ -16,9 +16,9 @@ namespace armature::cosim {
 [[nodiscard]] std::optional<std::filesystem::path> file_of_serial(std::string_view where);
 
 // `where` is pty, pty:LINK, tcp:PORT or replay:FILE. A scenario without [serial] gets a line with the default format. A
-// replay sends the characters of the file instead of those of the scenario, and returns no port; the caller silences the
-// scripted pendant. In the other cases the
-// function opens the port, prints its name on standard output and returns it. Throws InputError.
+// replay sends the characters of the file instead of those of the scenario, and returns no port; the caller silences
+// the scripted pendant. In the other cases the function opens the port, prints its name on standard output and returns
+// it. Throws InputError.
 [[nodiscard]] std::unique_ptr<HostPort> connect_serial(const std::string& where, Scenario& scenario);
 
 // If `patient`, waits until the client has read the last bytes. Prints the number of lost bytes on standard output.

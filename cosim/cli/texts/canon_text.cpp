@@ -1,4 +1,4 @@
-#include "cosim/cli/commands/canon_text.hpp"
+#include "cosim/cli/texts/canon_text.hpp"
 
 #include <fmt/format.h>
 

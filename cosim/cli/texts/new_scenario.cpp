@@ -1,4 +1,4 @@
-#include "cosim/cli/commands/new_scenario.hpp"
+#include "cosim/cli/texts/new_scenario.hpp"
 
 #include <fmt/format.h>
 

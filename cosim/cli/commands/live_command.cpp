@@ -1,0 +1,156 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cosim/cli/command/command.hpp"
+#include "cosim/cli/live/live_run.hpp"
+#include "cosim/cli/options/logic_options.hpp"
+#include "cosim/cli/options/output_files.hpp"
+#include "cosim/cli/options/serial_option.hpp"
+#include "cosim/cli/options/value_kinds.hpp"
+#include "cosim/cli/run/folder_run.hpp"
+#include "cosim/cli/run/interrupt.hpp"
+#include "cosim/net/web_admission.hpp"
+#include "cosim/run/log_listener.hpp"
+#include "cosim/run/run_folder.hpp"
+#include "cosim/run/serial_listener.hpp"
+#include "cosim/scenario/files/scenario_loader.hpp"
+#include "cosim/text/number_text.hpp"
+#include "cosim/text/printable.hpp"
+#include "cosim/text/shell_text.hpp"
+#include "cosim/time/clock.hpp"
+
+namespace armature::cosim {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kLiveDetails = R"(Examples:
+  armature live pendant_jog --pace 2000 --for 1   # prints an address; without --for it ends with Ctrl-C
+  armature live arm_5r_pick_place --port 8080 --for 1
+  armature live job_pick_and_place --engine rtl --for 0.01
+
+Open the printed address in a browser. The page shows the arm as simulated time passes, and is a teach pendant: it
+switches the drives, jogs joints and the tool while a button is held down, moves to taught points, loads and runs
+programs, and has an emergency stop. Its sliders move a shadow of the arm, by joint angles or by the place of the hand.
+Everything that the page commands is a frame of the pendant's protocol on the simulated serial line.
+A scenario with [pendant] runs as it is; the page takes the place of the steps. Any other scenario gets the pendant
+with the profile 'extended' and loses its moves: the drives are off until the page switches them on.
+The simulation keeps the pace of real time if the machine is fast enough; the page shows the factor.
+When the page is closed or frozen, the arm stops. Only this machine can connect; the address has a random token, without
+which nothing is served. One page at a time has the arm.
+--out gets serial.csv and log.txt. The last lines that the command prints repeat the session without the page, from
+serial.csv, with the same bytes.
+Exit code: 0 the time of --for is over, 1 the run failed, 2 bad input, 3 internal error, 130 interrupted.)";
+
+struct LiveOptions {
+  std::string scenario;
+  std::optional<fs::path> out;
+  std::uint16_t port = 0;
+  double pace = 1;
+  double for_s = 86'400;
+  std::vector<std::string> set;
+  LogicChoice logic;
+};
+
+struct LiveScenario {
+  Scenario scenario;
+  std::vector<std::string> overrides;  // --set of a run that repeats the session, without the duration
+};
+
+LiveScenario load(const LiveOptions& given, const SearchPath& path) {
+  LogicChoice logic = given.logic;
+  if (!logic.engine) logic.engine = Engine::kModel;
+  std::vector<std::string> overrides = given.set;
+  const auto loaded = [&] {
+    return load_scenario(given.scenario, {.search_path = path, .overrides = overrides, .logic = logic});
+  };
+  LiveScenario live{loaded(), {}};
+  if (!live.scenario.pendant) {
+    for (const char* const change : {"pendant.profile=\"extended\"", "move=[]", "stream=[]", "expect={}"}) {
+      overrides.emplace_back(change);
+    }
+    live.scenario = loaded();
+  }
+  live.overrides = std::move(overrides);
+  live.scenario.duration_s = given.for_s;
+  live.scenario.ends_with_program = false;
+  return live;
+}
+
+std::string replay_command(const LiveOptions& given, const LiveScenario& live, const fs::path& out, Cycles end) {
+  std::string words;
+  for (const std::string& change : live.overrides) words += " --set " + shell_word(change);
+  return fmt::format("armature run {}{} --set duration_s={} --engine {} --serial replay:{} --out {}",
+                     shell_word(given.scenario), words, seconds_text(end), word_of(live.scenario.engine),
+                     shell_word((out / kSerialFile).string()), shell_word((out / "replay").string()));
+}
+
+int live(const LiveOptions& given, const SearchPath& path) {
+  LiveScenario live = load(given, path);
+  Scenario& scenario = live.scenario;
+  if (!scenario.serial) scenario.serial.emplace();
+  const fs::path out = given.out.value_or(fs::path{"out"} / (scenario.name + "_live"));
+  OutputFiles files;
+  files.reads(scenario);
+  claim_results(files, out);
+  RunFolder folder{out};
+  prepare_serial_log(out / kSerialFile);
+  LogListener log{scenario, out / kLogFile};
+  SerialListener serial{out / kSerialFile};
+  catch_interrupts();
+  const Listener listener{ListenAddress{.tcp_port = given.port, .path = {}}};
+  LiveSession session{scenario};
+  session.run().add(log);
+  session.run().add(serial);
+  WebServer server{listener, session};
+  std::cout << page_address(listener.tcp_port().value(), listener.token().value())
+            << std::endl;  // a script waits for it
+  run_live(session, server, given.pace);
+  const RunSummary summary = session.run().finish();
+  folder.finish();
+  std::cout << fmt::format("simulated      {} s, {} ticks\nsha256         {}\n", seconds_text(summary.facts.cycles),
+                           summary.facts.ticks, summary.facts.sha256)
+            << fmt::format("results        {}\nto repeat it   {}\n", printable(out.string(), kShowAll),
+                           replay_command(given, live, out, summary.facts.cycles));
+  if (summary.failure) std::cerr << *summary.failure << "\n";
+  if (summary.failure) return kExitCheckFailed;
+  return summary.interrupted ? kExitInterrupted : kExitOk;
+}
+
+CommandAction declare_live(CLI::App& app) {
+  const auto options = std::make_shared<LiveOptions>();
+  app.add_option("scenario", options->scenario, "Scenario folder, scenario.toml, or a name from 'armature list'")
+      ->required()
+      ->type_name(kScenarioValue);
+  app.add_option("--port", options->port, "Port on 127.0.0.1 (default 0: any free one, printed)");
+  app.add_option("--out", options->out, "Folder for serial.csv and log.txt (default out/<scenario>_live)")
+      ->type_name(kFolderValue);
+  app.add_option("--pace", options->pace, "Largest simulated time per real time (default 1)")
+      ->check(CLI::Range(1e-4, 1e4));
+  constexpr double kDay = 86'400;
+  app.add_option("--for", options->for_s, "Simulated time after which the session ends [s] (default: a day)")
+      ->check(CLI::Range(1e-4, kDay));
+  app.add_option("--set", options->set, "Override a key of the scenario. May be repeated")->allow_extra_args(false);
+  add_logic_options(app, options->logic);
+  return [options](const CommonOptions& common) { return live(*options, common.search_path()); };
+}
+
+}  // namespace
+
+Subcommand live_command() {
+  return {.name = "live",
+          .order = 44,
+          .summary = "See and drive the arm in a browser while the simulation runs",
+          .details = kLiveDetails,
+          .declare = declare_live};
+}
+
+}  // namespace armature::cosim

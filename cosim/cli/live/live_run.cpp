@@ -1,0 +1,66 @@
+#include "cosim/cli/live/live_run.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include "cosim/cli/run/interrupt.hpp"
+#include "cosim/cli/run/pace.hpp"
+#include "cosim/time/clock.hpp"
+
+namespace armature::cosim {
+namespace {
+
+using Clock = Pace::Clock;
+
+constexpr Clock::duration kFrame = std::chrono::microseconds{16'667};  // 60 Hz
+constexpr Cycles kLiveSlice{100'000};                                  // 2 ms: what a page presses waits so long
+constexpr Clock::duration kFarewell = std::chrono::milliseconds{100};
+
+// Simulated time per real time over the last second.
+class Factor {
+ public:
+  explicit Factor(Clock::time_point now) : since_{now} {}
+
+  double update(Clock::time_point now, double simulated_s) {
+    constexpr std::chrono::duration<double> kSpan{1.0};
+    const std::chrono::duration<double> real = now - since_;
+    if (real >= kSpan) {
+      factor_ = (simulated_s - simulated_since_s_) / real.count();
+      since_ = now;
+      simulated_since_s_ = simulated_s;
+    }
+    return factor_;
+  }
+
+ private:
+  Clock::time_point since_;
+  double simulated_since_s_ = 0;
+  double factor_ = 0;
+};
+
+}  // namespace
+
+void run_live(LiveSession& session, WebServer& server, double pace_factor) {
+  const Clock::time_point start = Clock::now();
+  Pace pace{pace_factor, start};
+  Factor factor{start};
+  Clock::time_point next_frame = start;
+  bool over = false;
+  while (!over && !interrupted()) {
+    Clock::time_point now = Clock::now();
+    Clock::duration wait = pace.wait(to_seconds(session.run().now()), now);
+    if (wait == Clock::duration::zero()) {
+      over = !session.advance(session.run().now() + kLiveSlice);
+      now = Clock::now();
+    }
+    if (now >= next_frame || over) {
+      const double lately = factor.update(now, to_seconds(session.run().now()));
+      if (server.has_page()) server.offer(session.state(lately));
+      next_frame = std::max(next_frame + kFrame, now);
+    }
+    server.handle(std::min(wait, std::max(next_frame - now, Clock::duration::zero())));
+  }
+  server.handle(kFarewell);
+}
+
+}  // namespace armature::cosim

@@ -1,0 +1,235 @@
+"""The live page in a browser: a person jogs, moves, runs a program, stops; the page is closed, opened twice, reloaded."""
+
+import json
+import urllib.error
+import urllib.request
+
+from live_program import LivePage, main
+
+
+class Live(LivePage):
+    def test_a_jog_lasts_as_long_as_its_button_is_held(self):
+        process = self.live("pendant_jog")
+        self.open(process)
+        self.switch_on()
+        self.hold("1+")
+        self.until("live.state.joints_deg[1] > 2")
+        self.assertTrue(self.page.run("document.getElementById('lamp-moving').classList.contains('on')"))
+        self.mouse("mouseReleased", '[data-jog="1+"]')
+        self.wait_for("ready")
+        # The picture follows the arm, and the plots have what it did.
+        shown = self.page.run("live.arm.joints")
+        self.until("live.plots.rows.position.at(-1)[2] > 2")
+        for ours, theirs in zip(shown, self.state("joints_deg")):
+            self.assertAlmostEqual(ours, theirs, delta=0.01)
+        self.slide("J5", 60)  # away from the wrist singularity
+        self.click("go-joints")
+        self.until("live.state.state === 'ready' && live.state.joints_deg[4] > 59.99")
+        self.page.run("live.jog.choose(1)")  # coordinates of the base
+        before = self.state("tool.xyz_mm")
+        self.hold("2-")
+        self.until(f"live.state.tool.xyz_mm[2] < {before[2] - 3}")
+        self.mouse("mouseReleased", '[data-jog="2-"]')
+        self.wait_for("ready")
+        after = self.state("tool.xyz_mm")
+        for i in (0, 1):
+            self.assertAlmostEqual(before[i], after[i], delta=0.1)
+        self.assertEqual(self.page.problems(), [])
+        self.assertEqual(self.page.requests(), [process.address])
+
+    def test_moves_to_taught_points_and_to_the_shadow(self):
+        self.open(self.live("pendant_jog"))
+        self.switch_on()
+        self.slide("J1", 20)
+        self.slide("J5", 40)
+        self.until("!live.hand.asked")
+        self.assertEqual(self.state("joints_deg")[0], 0, "the shadow moves, not the arm")
+        self.click("go-joints")
+        self.until("live.state.state === 'ready' && Math.abs(live.state.joints_deg[0] - 20) < 0.01")
+        self.assertAlmostEqual(self.state("joints_deg")[4], 40, delta=0.01)
+        self.click("teach")
+        z = self.state("tool.xyz_mm")[2]
+        self.slide("z", z + 30)
+        self.until("!live.hand.asked")
+        self.click("go-line")
+        self.until(f"live.state.state === 'ready' && live.state.tool.xyz_mm[2] > {z + 29}")
+        self.page.run("document.querySelectorAll('.points button')[1].click()")  # MOVL
+        self.until(f"live.state.state === 'ready' && Math.abs(live.state.tool.xyz_mm[2] - {z}) < 0.05")
+        self.assertEqual(self.page.problems(), [])
+
+    def test_the_emergency_stop_and_the_way_out_of_it(self):
+        self.open(self.live("pendant_jog"))
+        self.switch_on()
+        self.hold("0-")
+        self.click("estop")
+        self.wait_for("estop")
+        self.page.wait_until("document.getElementById('lamp-estop').classList.contains('on')")
+        self.mouse("mouseReleased", '[data-jog="0-"]')
+        self.assertFalse(self.state("drives"))
+        self.click("reset")
+        self.wait_for("idle")
+        self.switch_on()
+
+    def test_a_program_is_loaded_run_held_and_stepped(self):
+        self.open(self.live("job_pick_and_place"))
+        self.switch_on()
+        self.click("load")
+        self.until("live.state.program.loaded && !live.state.program.loading")
+        line = self.page.run("live.program.lines.findIndex(line => /^WAIT/.test(line.textContent)) + 1")
+        self.page.run(f"live.program.lines[{line - 1}].click()")  # a breakpoint
+        self.until(f"live.state.program.breakpoints.includes({line})")
+        self.click("run")
+        self.wait_for("hold")
+        self.until(f"live.state.program.line === {line} && live.program.lines[{line - 1}].matches('.current.stop')")
+        self.click("step")
+        self.until("live.state.messages.includes('step: ok') && live.state.state === 'hold'")  # it has waited in vain
+        self.click("resume")
+        self.until("live.state.program.state === 'ended' && live.state.state === 'ready'")
+        self.assertIn('message: "no part"', self.state("messages"))
+        self.assertEqual(self.page.problems(), [])
+
+    def test_closing_the_page_stops_the_arm_and_the_session_can_be_repeated(self):
+        process = self.live("pendant_jog")
+        self.open(process)
+        self.switch_on()
+        self.hold("0+")
+        self.until("live.state.joints_deg[0] > 1")
+        self.leave()
+        self.open(process)
+        self.wait_for("ready")
+        deg = self.state("joints_deg")[0]
+        self.page.run("new Promise(done => setTimeout(done, 400))")
+        self.assertEqual(self.state("joints_deg")[0], deg)
+        out = self.end(process)
+        self.leave()
+        command = next(line for line in out.splitlines() if line.startswith("to repeat it")).split()[3:]
+        self.assertEqual(command[:2], ["armature", "run"])
+        again = self.armature(*command[1:], code=None).stdout
+        digest = next(line.split()[1] for line in out.splitlines() if line.startswith("sha256"))
+        self.assertIn(digest, again)
+        live, replay = (self.folder / "live" / name for name in ("serial.csv", "replay/serial.csv"))
+        self.assertGreater(live.stat().st_size, 10_000)
+        self.assertEqual(live.read_bytes(), replay.read_bytes())
+
+    def test_a_frozen_page_stops_the_arm(self):
+        self.open(self.live("pendant_jog"))
+        self.switch_on()
+        self.hold("0+")
+        self.page.run("(() => { const end = performance.now() + 2500; while (performance.now() < end); })()")
+        self.wait_for("ready")
+        self.until("live.state.messages.some(text => text.includes('nobody is at the page'))")
+        deg = self.state("joints_deg")[0]
+        self.page.run("new Promise(done => setTimeout(done, 300))")  # the button is still held
+        self.assertEqual(self.state("joints_deg")[0], deg)
+        self.mouse("mouseReleased", '[data-jog="0+"]')
+        self.hold("0+")
+        self.until(f"live.state.joints_deg[0] > {deg + 0.5}")
+        self.mouse("mouseReleased", '[data-jog="0+"]')
+
+    def test_a_second_page_waits_until_the_first_is_closed(self):
+        process = self.live("pendant_jog")
+        self.open(process)
+        self.switch_on()
+        second = self.page.call("Target.createTarget", url=process.address)["targetId"]
+        session = self.page.call("Target.attachToTarget", targetId=second, flatten=True)["sessionId"]
+
+        def of_second(script):
+            answer = self.page.call("Runtime.evaluate", session, expression=script, returnByValue=True)
+            return answer["result"].get("value")
+
+        self.wait_until(lambda: of_second("document.body && document.body.dataset.status") == "busy")
+        self.assertIn("Another page", of_second("document.getElementById('problem').textContent"))
+        self.assertEqual(self.state(), "ready", "the first one goes on")
+        self.leave()
+        self.wait_until(lambda: of_second("document.body.dataset.ready") == "yes")
+        self.page.call("Target.closeTarget", targetId=second)
+
+    def test_a_reload_takes_the_arm_again(self):
+        self.open(self.live("pendant_jog"))
+        self.switch_on()
+        self.page.of_page("Page.reload")
+        self.page.wait_until(f"performance.getEntriesByType('navigation')[0].type === 'reload'")
+        self.page.wait_until("document.body && document.body.dataset.ready === 'yes'")
+        self.wait_for("ready")
+        self.assertTrue(self.state("drives"))
+        self.hold("0+")
+        self.mouse("mouseReleased", '[data-jog="0+"]')
+        self.wait_for("ready")
+
+    def test_a_page_of_another_origin_gets_nothing(self):
+        process = self.live("pendant_jog")
+        evil = self.text("evil.html", "<script>window.seen = []</script>")
+        self.page.of_page("Page.navigate", url=(self.folder / evil).resolve().as_uri())
+        self.page.wait_until("window.seen !== undefined")
+        attack = """new Promise((done) => {
+          const seen = [];
+          const socket = new WebSocket('ws://127.0.0.1:%d/%s/socket');
+          socket.onopen = () => { seen.push('open'); socket.send('{"do":"estop"}'); };
+          socket.onmessage = (event) => seen.push(event.data);
+          socket.onclose = () => fetch('%s').then((r) => r.text()).then((t) => seen.push(t), () => seen.push('no fetch'))
+            .then(() => done(seen));
+        })"""
+        attack %= (process.port, process.token, process.address)
+        self.assertEqual(self.page.run(attack), ["no fetch"])
+        frame = """new Promise((done) => {
+          const frame = document.createElement('iframe');
+          frame.onload = () => { let text; try { text = frame.contentDocument.title } catch { text = 'closed' } done(text); };
+          frame.src = '%s'; document.body ? document.body.append(frame) : document.documentElement.append(frame);
+        })"""
+        frame %= process.address
+        self.assertNotIn("live", self.page.run(frame) or "")
+        self.open(process)
+        self.wait_for("idle")
+
+    def test_without_the_token_there_is_no_page(self):
+        process = self.live("pendant_jog")
+        root = f"http://127.0.0.1:{process.port}"
+        for address in (root + "/", root + "/socket", root + "/" + process.token[:-1] + "/"):
+            with self.assertRaises(urllib.error.HTTPError) as caught:
+                urllib.request.urlopen(address, timeout=60)
+            self.assertEqual(caught.exception.code, 403)
+            self.assertIn("token", caught.exception.read().decode())
+        request = urllib.request.Request(process.address, headers={"Host": f"rebound.example:{process.port}"})
+        with self.assertRaises(urllib.error.HTTPError) as caught:
+            urllib.request.urlopen(request, timeout=60)
+        self.assertIn("host", caught.exception.read().decode())
+
+
+class Sliders(LivePage):
+    def test_five_axes_have_four_solutions_to_pick_and_reasons_when_there_is_none(self):
+        self.open(self.live("arm_5r_pick_place"))
+        self.switch_on()
+        for axis, deg in (("J1", 15), ("J2", 30), ("J3", 40), ("J4", 20)):
+            self.slide(axis, deg)
+        self.until("!live.hand.asked")
+        place = self.page.run("live.hand.hand.map(input => Number(input.value))")
+        self.slide("z", place[2] + 1)
+        self.until("!live.hand.asked && document.querySelectorAll('.solutions button').length > 1")
+        count = self.page.run("document.querySelectorAll('.solutions button').length")
+        self.assertLessEqual(count, 4)
+        self.assertEqual(self.page.run("live.arm.ghosts.filter(ghost => ghost.links[0].visible).length"), count - 1)
+        # The other way gives the same place.
+        joints = self.page.run("live.hand.shadow")
+        point = self.page.run(f"live.arm.run.kinematics.toolPoint({json.dumps(joints)})")
+        for ours, theirs in zip(point, (place[0], place[1], place[2] + 1)):
+            self.assertAlmostEqual(ours, theirs, delta=0.26)  # half a step of a slider
+        self.slide("x", self.page.run("Number(document.querySelector('[data-axis=\"x\"]').max)"))
+        self.page.wait_until("document.querySelector('.why').textContent.includes('out of reach by')")
+        self.assertEqual(self.page.run("live.hand.shadow"), joints, "the shadow stays where it was")
+        self.assertEqual(self.page.problems(), [])
+
+    def test_the_arm_follows_the_slider_when_it_is_asked_to(self):
+        self.open(self.live("arm_5r_pick_place"))
+        self.switch_on()
+        for axis, deg in (("J2", 20), ("J3", 40), ("J4", 20)):
+            self.slide(axis, deg)
+        self.click("follows")
+        self.slide("J1", 10)
+        self.until("live.state.state === 'ready' && Math.abs(live.state.joints_deg[0] - 10) < 0.02")
+        self.slide("z", self.state("tool.xyz_mm")[2] + 10)
+        z = self.page.run("Number(document.querySelector('[data-axis=\"z\"]').value)")
+        self.until(f"live.state.state === 'ready' && Math.abs(live.state.tool.xyz_mm[2] - {z}) < 0.1")
+
+
+if __name__ == "__main__":
+    main()
