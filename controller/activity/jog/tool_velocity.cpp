@@ -41,9 +41,11 @@ void ToolVelocity::begin(const PerAxis<Radians>& position) noexcept {
   position_ = previous_ = before_ = position;
   posture_ = arm_.posture(position);
   base_T_tool_ = arm_.flange_at(*posture_) * flange_T_tool_;
-  moving_ = moved_ = {.base_R_tool = base_T_tool_.rotation};
+  moving_ = {.base_R_tool = base_T_tool_.rotation};
   wanted_ = {};
   change_.keep(Vector6::Zero());
+  change_frame_ = {};
+  next_change_.reset();
   change_ticks_ = 0;
   stopping_ = false;
   at_rest_ = true;
@@ -51,10 +53,18 @@ void ToolVelocity::begin(const PerAxis<Radians>& position) noexcept {
 
 void ToolVelocity::follow(const ToolTwist& twist) noexcept {
   if (stopping_ || twist == wanted_) return;
+  if (next_change_ && is_due_) end_of_next_change();
   wanted_ = twist;
-  Vector6 wanted;
-  wanted << twist.move_mm_s, twist.turn_rad_s;
-  const Vector6 now = in_frame(moving_.twist, moving_.base_R_tool);
+  // Where the joints slow the tool down, jerk is not limited.
+  const bool smooth = limits_.jerk_mm_s3 > 0.0 || limits_.turn_jerk_rad_s3 > 0.0;
+  if (!at_rest_ && smooth && moving_.whole) {
+    begin_next_change();
+  } else {
+    change_at_once();
+  }
+}
+
+VelocityChange::Limits ToolVelocity::limits_of_change() const noexcept {
   VelocityChange::Limits limits{.accel_mm_s2 = limits_.accel_mm_s2,
                                 .turn_accel_rad_s2 = limits_.turn_accel_rad_s2,
                                 .jerk_mm_s3 = limits_.jerk_mm_s3,
@@ -63,24 +73,58 @@ void ToolVelocity::follow(const ToolTwist& twist) noexcept {
   for (std::size_t axis = 0; axis < robot_.axis_count; ++axis) {
     limits.joint_accel_rad_s2[axis] = kForCommands * robot_.axes[axis].max_accel_rad_s2;
   }
-  // Where the joints slow the tool down, jerk is not limited.
-  Vector6 accel = Vector6::Zero();
-  const bool smooth = limits_.jerk_mm_s3 > 0.0 || limits_.turn_jerk_rad_s3 > 0.0;
-  if (smooth && moving_.whole && moved_.whole) {
-    accel = (now - in_frame(moved_.twist, moved_.base_R_tool)) / kTickSeconds;
-  }
+  return limits;
+}
+
+// From the present velocity, without an acceleration.
+void ToolVelocity::change_at_once() noexcept {
+  const Vector6 now = in_frame(moving_.twist, moving_.base_R_tool, wanted_.frame);
   // At a singularity advance() finds that the tool cannot continue.
   const bool planned =
-      change_.plan(seconds(Ticks{change_ticks_}), now, change_of(accel), change_of(wanted - now), limits);
-  if (!planned) change_.keep(wanted);
+      change_.plan(seconds(Ticks{change_ticks_}), now, {}, change_of(wanted_twist() - now), limits_of_change());
+  start_change(planned);
+}
+
+// From the velocity and the acceleration that the present change has after the next tick.
+void ToolVelocity::begin_next_change() noexcept {
+  const double then_s = seconds(Ticks{change_ticks_ + 1});
+  const Vector6 then = in_frame(in_base(change_.at(then_s), change_frame_), base_T_tool_.rotation, wanted_.frame);
+  const Vector6 accel = (then - in_frame(moving_.twist, moving_.base_R_tool, wanted_.frame)) / kTickSeconds;
+  next_change_ = change_;
+  is_due_ = false;
+  next_change_->begin(then_s, then, change_of(accel), change_of(wanted_twist() - then), limits_of_change());
+}
+
+// A tick later. It begins there, unless the joints have slowed the tool down.
+void ToolVelocity::end_of_next_change() noexcept {
+  if (moving_.whole) {
+    const bool planned = next_change_->finish();
+    change_ = *next_change_;
+    start_change(planned);
+  } else {
+    change_at_once();
+  }
+  next_change_.reset();
+}
+
+void ToolVelocity::start_change(bool planned) noexcept {
+  if (!planned) change_.keep(wanted_twist());
+  change_frame_ = wanted_.frame;
   change_ticks_ = 0;
+}
+
+ToolVelocity::Vector6 ToolVelocity::wanted_twist() const noexcept {
+  Vector6 wanted;
+  wanted << wanted_.move_mm_s, wanted_.turn_rad_s;
+  return wanted;
 }
 
 std::optional<PerAxis<Radians>> ToolVelocity::advance() noexcept {
   inverses_ = 0;
+  if (next_change_ && is_due_) end_of_next_change();
+  is_due_ = next_change_.has_value();
   ++change_ticks_;
-  const Vector6 twist = stopping_ ? moving_.twist : in_base(change_.at(seconds(Ticks{change_ticks_})));
-  moved_ = moving_;
+  const Vector6 twist = stopping_ ? moving_.twist : in_base(change_.at(seconds(Ticks{change_ticks_})), change_frame_);
   moving_ = {.twist = twist, .base_R_tool = base_T_tool_.rotation};
   PerAxis<Radians> next = position_;
   if (twist != Vector6::Zero()) {
@@ -138,22 +182,23 @@ bool ToolVelocity::allowed(const PerAxis<Radians>& next) const noexcept {
          0;
 }
 
-ToolVelocity::Vector6 ToolVelocity::in_frame(const Vector6& twist, const Eigen::Matrix3d& base_R_tool) const noexcept {
-  if (wanted_.frame == ToolTwist::Frame::kBase) return twist;
+ToolVelocity::Vector6 ToolVelocity::in_frame(const Vector6& twist, const Eigen::Matrix3d& base_R_tool,
+                                             ToolTwist::Frame frame) noexcept {
+  if (frame == ToolTwist::Frame::kBase) return twist;
   Vector6 result;
   result << base_R_tool.transpose() * twist.head<3>(), base_R_tool.transpose() * twist.tail<3>();
   return result;
 }
 
-ToolVelocity::Vector6 ToolVelocity::in_base(const Vector6& twist) const noexcept {
-  if (wanted_.frame == ToolTwist::Frame::kBase) return twist;
+ToolVelocity::Vector6 ToolVelocity::in_base(const Vector6& twist, ToolTwist::Frame frame) const noexcept {
+  if (frame == ToolTwist::Frame::kBase) return twist;
   Vector6 result;
   result << base_T_tool_.rotation * twist.head<3>(), base_T_tool_.rotation * twist.tail<3>();
   return result;
 }
 
 VelocityChange::Change ToolVelocity::change_of(const Vector6& in_frame) noexcept {
-  return {.twist = in_frame, .joints_rad_s = rates(in_base(in_frame))};
+  return {.twist = in_frame, .joints_rad_s = rates(in_base(in_frame, wanted_.frame))};
 }
 
 PerAxis<double> ToolVelocity::rates(const Vector6& twist) noexcept {

@@ -2,7 +2,8 @@
 //
 // The tool changes from its present velocity to the commanded one in a straight line between both (of velocities in the
 // frame of the command), as fast as its acceleration limits and a share of those of the joints allow. A change that
-// comes during another one begins with its acceleration (velocity_change.hpp). The joints follow by inverse kinematics,
+// comes during another one begins with its acceleration (velocity_change.hpp), a tick later: there is no time for the
+// whole of it in one tick. The joints follow by inverse kinematics,
 // so a constant velocity is a straight line of the tool. All joints together slow down where one of them needs it: at
 // its speed limit, and before its soft limit, where the tool comes to rest with the joint exactly at its limit.
 //
@@ -55,7 +56,10 @@ class ToolVelocity {
   // The wanted velocity from now on; finite.
   void follow(const ToolTwist& twist) noexcept;
   // Instead: come to rest along the path with nearly the full acceleration of the joints.
-  void stop() noexcept { stopping_ = true; }
+  void stop() noexcept {
+    stopping_ = true;
+    next_change_.reset();
+  }
 
   // The set-point of the next tick. None: the joints must stop; begin() follows when they are at rest.
   [[nodiscard]] std::optional<PerAxis<Radians>> advance() noexcept;
@@ -75,8 +79,15 @@ class ToolVelocity {
 
   // A velocity in the base as one in the frame of the command, where the tool has these axes; and back, for the tool
   // where it is now.
-  [[nodiscard]] Vector6 in_frame(const Vector6& twist, const Eigen::Matrix3d& base_R_tool) const noexcept;
-  [[nodiscard]] Vector6 in_base(const Vector6& twist) const noexcept;
+  [[nodiscard]] static Vector6 in_frame(const Vector6& twist, const Eigen::Matrix3d& base_R_tool,
+                                        ToolTwist::Frame frame) noexcept;
+  [[nodiscard]] Vector6 in_base(const Vector6& twist, ToolTwist::Frame frame) const noexcept;
+  [[nodiscard]] Vector6 wanted_twist() const noexcept;
+  [[nodiscard]] VelocityChange::Limits limits_of_change() const noexcept;
+  void change_at_once() noexcept;
+  void begin_next_change() noexcept;
+  void end_of_next_change() noexcept;
+  void start_change(bool planned) noexcept;
   [[nodiscard]] VelocityChange::Change change_of(const Vector6& in_frame) noexcept;
   [[nodiscard]] PerAxis<double> rates(const Vector6& twist) noexcept;
   [[nodiscard]] std::optional<double> share_of(const PerAxis<double>& rates_rad_s) const noexcept;
@@ -91,16 +102,19 @@ class ToolVelocity {
   PerAxis<Radians> position_{}, previous_{}, before_{};
   std::optional<SixRPosture> posture_{};  // of position_, once it was needed
   Transform base_T_tool_{};               // of position_, without the rounding of the inverse kinematics
-  // Of the latest set-point and the one before: the velocity in the base, and the axes of the tool that it was for.
+  // Of the latest set-point: the velocity in the base, and the axes of the tool that it was for.
   struct Moving {
     Vector6 twist = Vector6::Zero();
     Eigen::Matrix3d base_R_tool = Eigen::Matrix3d::Identity();
     bool whole = true;  // the joints did not slow it down
   };
-  Moving moving_{}, moved_{};
+  Moving moving_{};
   ToolTwist wanted_{};
-  VelocityChange change_{};  // to `wanted_`, in its frame
+  VelocityChange change_{};
+  ToolTwist::Frame change_frame_{};  // of its velocities
   std::int64_t change_ticks_ = 0;
+  std::optional<VelocityChange> next_change_{};  // to `wanted_`, in its frame; begins after the next tick
+  bool is_due_ = false;                          // that tick is over
   bool stopping_ = false;
   bool at_rest_ = true;
   int inverses_ = 0;

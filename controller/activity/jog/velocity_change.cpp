@@ -36,6 +36,12 @@ void VelocityChange::keep(const Twist& velocity) noexcept {
 
 bool VelocityChange::plan(double t_s, const Twist& velocity, const Change& accel, const Change& way,
                           const Limits& limits) noexcept {
+  begin(t_s, velocity, accel, way, limits);
+  return finish();
+}
+
+void VelocityChange::begin(double t_s, const Twist& velocity, const Change& accel, const Change& way,
+                           const Limits& limits) noexcept {
   const Jerk before = t_s < turn_s_ ? turning_ : Jerk{limits_.jerk_mm_s3, limits_.turn_jerk_rad_s3};
   turning_ = {larger_limit(before.move, limits.jerk_mm_s3), larger_limit(before.turn, limits.turn_jerk_rad_s3)};
   limits_ = limits;
@@ -53,6 +59,9 @@ bool VelocityChange::plan(double t_s, const Twist& velocity, const Change& accel
                 return turns_beyond(tried_s);
               }).inside;
   }
+}
+
+bool VelocityChange::finish() noexcept {
   const Direction left = left_after(turn_s_);
   const double turned = turned_accel(left, turn_s_), speed = most_accel(left);
   if (!(speed > 0.0 && speed < kNoLimit)) return false;

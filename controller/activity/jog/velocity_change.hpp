@@ -43,6 +43,10 @@ class VelocityChange {
   [[nodiscard]] bool plan(double t_s, const Twist& velocity, const Change& accel, const Change& way,
                           const Limits& limits) noexcept;
 
+  // The same in two parts of about the same work. In between only finish() may be called.
+  void begin(double t_s, const Twist& velocity, const Change& accel, const Change& way, const Limits& limits) noexcept;
+  [[nodiscard]] bool finish() noexcept;
+
   // At a time from the start on; exactly the end of the way when the change is over.
   [[nodiscard]] Twist at(double t_s) const noexcept;
 

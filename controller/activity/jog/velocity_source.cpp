@@ -37,14 +37,16 @@ const SetPoint& VelocitySource::advance(Ticks tick) noexcept {
   set_point_.inverses = 0;
   if (const std::optional<VelocityCommand> command = input_.latest()) accept(*command, tick);
   if (tick >= expires_ && wants_to_move()) expire();
-  if (next_twist_ && !joints_move()) {
+  const bool begins = next_twist_ && !joints_move();
+  if (begins) {
     tool_.begin(set_point_.position);
     tool_.follow(*next_twist_);
     next_twist_.reset();
     follows_tool_ = true;
   }
   const bool was_moving = any_moves();
-  if (follows_tool_) advance_tool();
+  // There is no time to begin and to move in the same tick.
+  if (follows_tool_ && !begins) advance_tool();
   if (!follows_tool_) advance_joints();
   const bool moves_on = any_moves(), moved = was_moving || moves_on;
   set_point_.rate = moved ? 1.0 : 0.0;

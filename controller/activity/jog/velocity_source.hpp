@@ -5,9 +5,9 @@
 // it. At a soft limit it comes to rest exactly at the limit: an axis with a velocity is on the fastest motion to the
 // limit in this direction, with the commanded speed as its speed limit. So it always has the way that it needs to stop.
 //
-// Tool: see tool_velocity.hpp. Where the tool cannot continue within the limits of the joints, the joints stop, and the
-// command has no effect until another one comes. Jerk is limited for changes of the commanded velocity only: not where
-// the joints slow down or stop.
+// Tool: see tool_velocity.hpp; it moves from the tick after the command on. Where the tool cannot continue within the
+// limits of the joints, the joints stop, and the command has no effect until another one comes. Jerk is limited for
+// changes of the commanded velocity only: not where the joints slow down or stop.
 //
 // If no command comes for the time-out, all axes come to rest. Commands must be repeated, also equal ones: an equal
 // command costs nothing but the time-out. A stop has priority until the arm is at rest; commands of that time have no
