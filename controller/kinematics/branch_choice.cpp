@@ -16,13 +16,6 @@ namespace armature {
 
 using math::Lanes;
 
-double limit_excess(double& joint_rad, const JointRange& range) noexcept {
-  const double excess_rad = std::max(joint_rad - range.max_rad, range.min_rad - joint_rad);
-  if (excess_rad > kLimitTolerance_rad) return excess_rad;
-  joint_rad = std::clamp(joint_rad, range.min_rad, range.max_rad);
-  return 0.0;
-}
-
 double turned_inside(double nearest, const JointRange& range) noexcept {
   // Beyond a limit, the nearest candidate is the first turn inside it, unless that is beyond the other limit.
   const auto toward = [](double beyond_rad) {  // beyond by more than the tolerance

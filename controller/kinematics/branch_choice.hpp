@@ -20,7 +20,14 @@ inline constexpr double kLimitTolerance_rad = 1e-9;
 
 // By how much an angle is outside its limits [rad]; 0: inside. Sets an angle that is outside by rounding only to the
 // limit.
-[[nodiscard]] double limit_excess(double& joint_rad, const JointRange& range) noexcept;
+[[nodiscard]] inline double limit_excess(double& joint_rad, const JointRange& range) noexcept {
+  const double above_rad = joint_rad - range.max_rad, below_rad = range.min_rad - joint_rad;
+  if (above_rad <= 0.0 && below_rad <= 0.0) return 0.0;
+  const double excess_rad = above_rad > below_rad ? above_rad : below_rad;
+  if (excess_rad > kLimitTolerance_rad) return excess_rad;
+  joint_rad = above_rad > 0.0 ? range.max_rad : range.min_rad;
+  return 0.0;
+}
 
 // nearest_rad, which has the turn nearest to the previous angle, + n turns: the value inside the limits nearest to the
 // previous angle, or, if there is none, the one nearest to the limits.

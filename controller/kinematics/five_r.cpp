@@ -264,7 +264,10 @@ RawSides FiveR::sides(const Theta& theta) const noexcept {
 }
 
 Manipulability FiveR::manipulability(const Theta& theta) const noexcept {
-  const RawSides s = sides(theta);
+  return manipulability(theta, sides(theta));
+}
+
+Manipulability FiveR::manipulability(const Theta& theta, const RawSides& s) const noexcept {
   const double tilt = math::sin(theta[1] + theta[2] + theta[3]);
   return {.shoulder = math::hypot(s.shoulder, tilt), .elbow = std::fabs(s.elbow), .wrist = 1.0};
 }

@@ -72,6 +72,8 @@ class FiveR {
   // is sqrt(det(J^T J)) / (a2 a3). wrist: 1.
   [[nodiscard]] Manipulability manipulability(const Theta& theta) const noexcept;
   [[nodiscard]] RawSides sides(const Theta& theta) const noexcept;
+  // The same, where its sides() are known.
+  [[nodiscard]] Manipulability manipulability(const Theta& theta, const RawSides& sides) const noexcept;
 
   // The pose with this tool point, pitch and roll, even if it is out of reach. Angles as in forward().
   [[nodiscard]] Transform to_transform(const Pose5& pose) const noexcept;

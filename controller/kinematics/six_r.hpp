@@ -79,6 +79,8 @@ class SixR {
   [[nodiscard]] Jacobian jacobian(const Theta& theta) const noexcept;
   [[nodiscard]] Manipulability manipulability(const Theta& theta) const noexcept;
   [[nodiscard]] RawSides sides(const Theta& theta) const noexcept;
+  // The same, where its sides() are known.
+  [[nodiscard]] Manipulability manipulability(const Theta& theta, const RawSides& sides) const noexcept;
 
   [[nodiscard]] SixRPosture posture(const Theta& theta) const noexcept;
   // Joint rates [rad/s] for a velocity of the flange in the base frame: jacobian()^-1 in closed form. Not finite at a

@@ -1,4 +1,5 @@
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
 
 #include "controller/kinematics/six_r.hpp"
@@ -63,13 +64,23 @@ Jacobian SixR::jacobian(const Theta& theta) const noexcept {
 }
 
 RawSides SixR::sides(const Theta& theta) const noexcept {
-  const SixRPosture p = posture(theta);
+  const std::array<double, 3> angles{theta[1], theta[1] + theta[2], theta[4]};
+  std::array<math::SinCos, 3> joints;
+  math::sin_cos_each(angles, joints);
+  const auto [s2, c2] = joints[0];
+  const auto [s23, c23] = joints[1];
+  const double ex_mm = geometry_.a3_mm * c23 + geometry_.d4_mm * s23;
+  const double ey_mm = geometry_.a3_mm * s23 - geometry_.d4_mm * c23;
+  const double r_mm = geometry_.a1_mm + (geometry_.a2_mm * c2 + ex_mm);
   // elbow = -sin(theta_3 - phi)
-  return {p.r_mm / longest_mm_, (p.j2.sin * p.ex_mm - p.j2.cos * p.ey_mm) / forearm_mm_, p.j5.sin};
+  return {r_mm / longest_mm_, (s2 * ex_mm - c2 * ey_mm) / forearm_mm_, joints[2].sin};
 }
 
 Manipulability SixR::manipulability(const Theta& theta) const noexcept {
-  const RawSides s = sides(theta);
+  return manipulability(theta, sides(theta));
+}
+
+Manipulability SixR::manipulability(const Theta&, const RawSides& s) const noexcept {
   return {std::fabs(s.shoulder), std::fabs(s.elbow), std::fabs(s.flip)};
 }
 

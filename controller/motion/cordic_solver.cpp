@@ -68,18 +68,20 @@ RawTracking CordicSolver::track(const Transform& base_T_flange, const Theta& pre
 
 // Waits for the block, and takes its angles where they have a stated error.
 void CordicSolver::use_block(RawTracking& found) noexcept {
+  const RawSides sides = std::visit([&](const auto& family) { return family.sides(found.theta); }, family_);
+  const bool usable = found.found && found.status == IkStatus::kOk && is_regular(found.theta, sides);
   if (!wait()) {
     check_.differs = true;
     return;
   }
-  if (!found.found || found.status != IkStatus::kOk || !is_regular(found.theta)) return;
-  const std::size_t branch = branch_of(found.theta);
+  if (!usable) return;
+  const std::size_t branch = branch_of(sides);
   Theta theta = found.theta;
   const std::size_t joints = arm_.five_r ? 5 : 6;
   for (std::size_t joint = 0; joint < joints; ++joint) {
     theta[joint] = nearest_turn(radians_of(block_.theta(branch, joint)), found.theta[joint]);
   }
-  if (agrees(theta, found.theta)) found.theta = theta;
+  if (agrees(theta, found.theta, sides)) found.theta = theta;
 }
 
 RawTracking CordicSolver::track_point(const Eigen::Vector3d& point_mm, const Eigen::Vector3d& flange_p_mm,
@@ -92,13 +94,13 @@ RawSolutions CordicSolver::inverse(const Transform& base_T_flange, const Theta& 
   return std::visit([&](const auto& family) { return family.inverse(base_T_flange, previous); }, family_);
 }
 
-bool CordicSolver::is_regular(const Theta& theta) const noexcept {
-  const Manipulability is = std::visit([&](const auto& family) { return family.manipulability(theta); }, family_);
+bool CordicSolver::is_regular(const Theta& theta, const RawSides& sides) const noexcept {
+  const auto manipulability = [&](const auto& family) { return family.manipulability(theta, sides); };
+  const Manipulability is = std::visit(manipulability, family_);
   return std::min({is.shoulder, is.elbow, is.wrist}) >= kLeastSine;
 }
 
-std::size_t CordicSolver::branch_of(const Theta& theta) const noexcept {
-  const RawSides sides = std::visit([&](const auto& family) { return family.sides(theta); }, family_);
+std::size_t CordicSolver::branch_of(const RawSides& sides) noexcept {
   return (sides.shoulder < 0 ? 4u : 0u) + (sides.elbow < 0 ? 2u : 0u) + (sides.flip < 0 ? 1u : 0u);
 }
 
@@ -129,8 +131,8 @@ bool CordicSolver::wait() noexcept {
   return false;
 }
 
-bool CordicSolver::agrees(const Theta& block, const Theta& software) noexcept {
-  const double wrist = arm_.five_r ? kAnyJoint : kWrist + kOverSine / std::fabs(math::sin_cos(software[4]).sin);
+bool CordicSolver::agrees(const Theta& block, const Theta& software, const RawSides& sides) noexcept {
+  const double wrist = arm_.five_r ? kAnyJoint : kWrist + kOverSine / std::fabs(sides.flip);
   for (std::size_t joint = 0; joint < kAxes; ++joint) {
     const double difference_rad = std::fabs(block[joint] - software[joint]);
     const double stated = joint == 3 || joint == 5 ? wrist : kAnyJoint;

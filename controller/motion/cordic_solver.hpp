@@ -46,13 +46,13 @@ class CordicSolver final : public InverseSolver {
  private:
   [[nodiscard]] RawTracking track_in_software(const Transform& base_T_flange, const Theta& previous, double wrist_zone,
                                               bool keep_elbow) const noexcept;
-  [[nodiscard]] std::size_t branch_of(const Theta& theta) const noexcept;
-  [[nodiscard]] bool is_regular(const Theta& theta) const noexcept;
+  [[nodiscard]] static std::size_t branch_of(const RawSides& sides) noexcept;
+  [[nodiscard]] bool is_regular(const Theta& theta, const RawSides& sides) const noexcept;
   void write(const FixedPose& pose) noexcept;
   [[nodiscard]] bool start(const Transform& base_T_flange) noexcept;
   [[nodiscard]] bool wait() noexcept;
   void use_block(RawTracking& found) noexcept;
-  [[nodiscard]] bool agrees(const Theta& block, const Theta& software) noexcept;
+  [[nodiscard]] bool agrees(const Theta& block, const Theta& software, const RawSides& sides) noexcept;
 
   RegisterBus& bus_;
   IkCordic block_;

@@ -22,7 +22,7 @@ struct SetPoint {
   MotionState state = MotionState::kIdle;  // never kFault
   bool stopped = false;                    // a stop is complete or had no effect; core 1 waits for this
   bool wake = false;                       // something happened in this tick that core 1 waits for
-  bool planned = false;                    // a motion from a state of motion was planned in this tick
+  bool planned = false;                    // a motion from a state of motion was planned in this tick, or a part of it
   std::int64_t inverses = 0;               // inverse kinematics computed in this tick
   PinLevels pins{};                        // outputs to be written at the start of the next tick
   // Masks of axes, bit 0 for axis 1. `homing`: their joint angles are not known, and the source obeys their limit

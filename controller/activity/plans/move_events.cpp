@@ -34,11 +34,10 @@ MoveStarted started(const JointChain& chain, std::size_t index) {
   const RetargetPlan& plan = chain.moves[index];
   MoveStarted event{.kind = MoveKind::kJoint, .tag = plan.tag, .residual_rad = plan.residual_rad};
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    const PhaseLaw& law = plan.laws[axis];
-    if (law.duration_s() == 0.0) continue;
+    if (plan.laws[axis].duration_s() == 0.0) continue;
     event.shape[axis] = plan.kind == ProfileKind::kSCurve ? ProfileShape::kSCurve : ProfileShape::kTrapezoid;
-    event.peak_speed_rad_s[axis] = law.peak_speed();
-    event.accel_rad_s2[axis] = law.peak_accel();
+    event.peak_speed_rad_s[axis] = plan.peak_speed_rad_s[axis];
+    event.accel_rad_s2[axis] = plan.peak_accel_rad_s2[axis];
   }
   event.continues = index > 0 && chain.end_of(index - 1) < chain.starts[index - 1] + chain.moves[index - 1].duration;
   return event;

@@ -41,6 +41,10 @@ class MoveProgress {
     advance(plan, elapsed, ended, tick, [](MoveStarted&) {});
   }
 
+  // Another move than the first one starts before that time.
+  [[nodiscard]] bool starts_before(const Plan& plan, double elapsed) const noexcept {
+    return begun_ > 0 && begun_ < moves_in(plan) && static_cast<double>(span_of(plan, begun_).start.value()) < elapsed;
+  }
   // Reports the moves that are under way as cut short.
   void cut_short(const Plan& plan, Ticks tick) noexcept;
   // The same, and reports the moves that have not started as refused for `reason`.

@@ -15,44 +15,59 @@ PlanSource::PlanSource(const RobotModel& robot, const Arm& arm, Channel& channel
       loop_{channel.loop},
       events_{events},
       sampler_{robot, arm, {}},
+      in_motion_{robot, sampler_},
       progress_{events} {}
 
 SetPoint& PlanSource::advance(Ticks tick, const RunControl::View& control) noexcept {
   pins_.written(tick, events_);
   set_point_.stopped = set_point_.planned = false;
   set_point_.wake = count_plans_over();
-  if (stopping_ && (!under_way_ || sampler_.rate() == 0.0)) {
+  if (stopping_ && in_motion_.in_step() && (!under_way_ || sampler_.rate() == 0.0)) {
     cancel_plan(tick);
     set_point_.stopped = true;
   }
   accept_stop();
-  if (!stopping_) {
-    continue_with_next();
-    if (!control.hold) {
-      if (retarget_) retarget(*std::exchange(retarget_, std::nullopt), tick);
-      if (!under_way_) start_next_plan(control.share);
-    }
-  }
+  if (!stopping_) begin_plans(tick, control);
   // An override does not make a dwell longer.
   const double share = under_way_ && is_dwell(sampler_.plan()) ? 1.0 : control.share;
 
   const bool moved = under_way_;
-  if (stopping_) {
-    brake();
-  } else {
-    sampler_.advance(control.hold ? 0.0 : share);
-  }
+  const StepsAhead::Step step = in_motion_.next([&] {
+    if (stopping_) {
+      brake();
+    } else {
+      sampler_.advance(a_move_starts() ? sampler_.rate() : control.hold ? 0.0 : share);
+    }
+  });
   if (under_way_) {
-    pins_.advance(sampler_.plan(), sampler_.elapsed(), !sampler_.busy());
-    store_.progress.set({number_, static_cast<std::uint32_t>(sampler_.elapsed())});
-    report_progress(tick);
+    pins_.advance(sampler_.plan(), step.elapsed, !step.busy);
+    store_.progress.set({number_, static_cast<std::uint32_t>(step.elapsed)});
+    report_progress(step, tick);
   }
   set_point_.pins = pins_.next();
-  set_point_.position = sampler_.position();
-  set_point_.rate = sampler_.rate();
-  set_point_.inverses = sampler_.inverses();
+  set_point_.position = step.position;
+  set_point_.rate = step.rate;
+  set_point_.inverses = in_motion_.inverses();
+  set_point_.planned = in_motion_.worked();
   set_point_.state = state_of_motion(control.hold, moved);
   return set_point_;
+}
+
+void PlanSource::begin_plans(Ticks tick, const RunControl::View& control) noexcept {
+  if (!in_motion_.active()) {
+    continue_with_next();
+    if (control.hold) return;
+    if (retarget_) in_motion_.begin(*retarget_);
+  }
+  if (in_motion_.ready()) retarget(*std::exchange(retarget_, std::nullopt), tick);
+  if (!in_motion_.active() && !control.hold && !under_way_) start_next_plan(control.share);
+}
+
+// In the next step, which then keeps its rate: there is no time to change it and to report a move.
+bool PlanSource::a_move_starts() const noexcept {
+  const double rate = sampler_.rate();
+  return under_way_ && rate > 0.0 && sampler_.may_keep_rate() &&
+         progress_.starts_before(sampler_.plan(), sampler_.elapsed() + rate);
 }
 
 // `moved`: a plan was under way in this tick.
@@ -77,6 +92,7 @@ void PlanSource::accept_stop() noexcept {
   stop_.reset();
   drop_all();
   stopping_ = under_way_;
+  if (!stopping_) in_motion_.reset();
   if (!stopping_) set_point_.stopped = true;
 }
 
@@ -120,6 +136,7 @@ void PlanSource::continue_with_next() noexcept {
 }
 
 void PlanSource::retarget(const RetargetRequest& request, Ticks tick) noexcept {
+  in_motion_.end();
   const bool started = start_retarget(request, tick);
   if (!started) ++plans_ended_;
   [[maybe_unused]] const bool pushed =
@@ -132,22 +149,20 @@ void PlanSource::retarget(const RetargetRequest& request, Ticks tick) noexcept {
 
 // Returns whether a motion within the limits leads to the target.
 bool PlanSource::start_retarget(const RetargetRequest& request, Ticks tick) noexcept {
-  RetargetPlan plan =
-      plan_retarget(robot_, sampler_.state(), request.target, request.speed, request.kind, request.accel);
-  set_point_.planned = true;
-  plan.tag = request.tag;
+  const RetargetPlan& plan = in_motion_.planned().plan();
   if (plan.duration > kLongestMove) {
-    events_.on_event(refused(Refusal::kInvalidTarget, plan.tag));
+    events_.on_event(refused(Refusal::kInvalidTarget, request.tag));
     return false;
   }
-  if (const std::optional<std::size_t> axis = axis_outside(plan, robot_)) {
+  if (const std::optional<std::size_t> axis = in_motion_.planned().outside()) {
     const auto number = static_cast<std::uint8_t>(*axis + 1);
     const PhaseLaw::Extent extent = plan.laws[*axis].extent();
     const AxisModel& model = robot_.axes[*axis];
     const bool above = extent.largest - model.max_rad > model.min_rad - extent.least;
     const PathProblem beyond{.angle_rad = above ? extent.largest : extent.least,
                              .limit_rad = above ? model.max_rad : model.min_rad};
-    events_.on_event(MoveRefused{.reason = Refusal::kOutsideLimits, .axis = number, .path = beyond, .tag = plan.tag});
+    events_.on_event(
+        MoveRefused{.reason = Refusal::kOutsideLimits, .axis = number, .path = beyond, .tag = request.tag});
     return false;
   }
   if (under_way_) {
@@ -156,6 +171,7 @@ bool PlanSource::start_retarget(const RetargetRequest& request, Ticks tick) noex
   }
   drop_plans(Refusal::kReplaced);
   store_.retarget = plan;
+  store_.retarget.moves[0].tag = request.tag;
   sampler_.start_in_motion(store_.retarget);
   under_way_ = true;
   number_ = 0;
@@ -200,9 +216,9 @@ void PlanSource::drop_next_plan() noexcept {
   }
 }
 
-void PlanSource::report_progress(Ticks tick) noexcept {
-  const bool ended = !sampler_.busy();
-  progress_.advance(sampler_.plan(), sampler_.elapsed(), ended, tick);
+void PlanSource::report_progress(const StepsAhead::Step& step, Ticks tick) noexcept {
+  const bool ended = !step.busy;
+  progress_.advance(sampler_.plan(), step.elapsed, ended, tick);
   if (!ended) return;
   ++plans_ended_;
   release_plan();
@@ -215,6 +231,7 @@ void PlanSource::cut_short(Ticks tick) noexcept {
 
 void PlanSource::reset_to(const PerAxis<Radians>& position) noexcept {
   sampler_.reset_to(position);
+  in_motion_.reset();
   if (under_way_) release_plan();
   under_way_ = stopping_ = false;
   stop_.reset();
@@ -244,6 +261,7 @@ void PlanSource::drop_plans(Refusal reason) noexcept {
 // For a stop or a fault.
 void PlanSource::drop_all() noexcept {
   drop_plans(Refusal::kNotReady);
+  in_motion_.end();
   if (retarget_) refuse_retarget(*std::exchange(retarget_, std::nullopt));
 }
 
@@ -271,7 +289,7 @@ void PlanSource::cancel_plan(Ticks tick) noexcept {
     end_plan(tick, Refusal::kNotReady);
     release_plan();
   }
-  reset_to(sampler_.position());
+  reset_to(set_point_.position);
 }
 
 }  // namespace armature

@@ -10,9 +10,11 @@
 // A plan that continues the active one replaces it at a time at which both are the same, at any rate. If it comes too
 // late, it is dropped, and the active plan ends in its stop.
 //
-// A RetargetRequest is planned here, from the present state of motion. It replaces the active plan, whose moves are cut
-// short, and the waiting ones, which are dropped. If a joint would leave its limits on the way, it is refused, and the
-// active plan continues.
+// A RetargetRequest is planned here, from the state of motion a few ticks later (retarget_in_motion.hpp). Until then
+// the active plan goes on, and no other one begins or continues it. The new move replaces it: its moves are cut short,
+// and the waiting ones are dropped. If a joint would leave its limits on the way, it is refused, and the active plan
+// continues. A hold that comes while it is planned holds the new move; a stop ends the active plan, and takes effect up
+// to 3 ticks later.
 #pragma once
 
 #include <cstddef>
@@ -23,6 +25,7 @@
 #include "controller/activity/channel.hpp"
 #include "controller/activity/plans/move_progress.hpp"
 #include "controller/activity/plans/path_pins.hpp"
+#include "controller/activity/plans/retarget_in_motion.hpp"
 #include "controller/activity/plans/retarget_request.hpp"
 #include "controller/base/axes.hpp"
 #include "controller/base/units.hpp"
@@ -62,12 +65,14 @@ class PlanSource final : public ActivitySource {
   void brake() noexcept;
   void retarget(const RetargetRequest& request, Ticks tick) noexcept;
   [[nodiscard]] bool start_retarget(const RetargetRequest& request, Ticks tick) noexcept;
+  void begin_plans(Ticks tick, const RunControl::View& control) noexcept;
   void start_next_plan(double share) noexcept;
   void continue_with_next() noexcept;
   void take_next_plan() noexcept;
   void drop_next_plan() noexcept;
   void release_plan() noexcept;
-  void report_progress(Ticks tick) noexcept;
+  [[nodiscard]] bool a_move_starts() const noexcept;
+  void report_progress(const StepsAhead::Step& step, Ticks tick) noexcept;
   [[nodiscard]] MotionState state_of_motion(bool hold, bool moved) const noexcept;
   void drop_plans(Refusal reason) noexcept;
   void drop_all() noexcept;
@@ -80,6 +85,7 @@ class PlanSource final : public ActivitySource {
   LoopChannel& loop_;
   EventListener& events_;
   Sampler sampler_;
+  RetargetInMotion in_motion_;
   ReadAhead read_ahead_;
   PathPins pins_;
   bool under_way_ = false;  // sampler_ has a plan that is neither finished nor cancelled
@@ -87,13 +93,13 @@ class PlanSource final : public ActivitySource {
   std::size_t stores_held_ = 0;
   std::optional<StopKind> stop_{};  // to begin with
   bool stopping_ = false;
-  bool soft_ = false;  // within the limits of the move
-  std::optional<RetargetRequest> retarget_{};
-  std::uint32_t plans_taken_ = 0;    // number of plans that have left the queue
-  std::uint32_t number_ = 0;         // of the active plan, as in PlanProgress
-  std::uint32_t plans_late_ = 0;     // as PlanStore::late
-  MoveProgress progress_;            // of the active plan
-  std::uint32_t plans_ended_ = 0;    // number of plans that ended or were dropped
+  bool soft_ = false;                          // within the limits of the move
+  std::optional<RetargetRequest> retarget_{};  // to begin with, or being planned
+  std::uint32_t plans_taken_ = 0;              // number of plans that have left the queue
+  std::uint32_t number_ = 0;                   // of the active plan, as in PlanProgress
+  std::uint32_t plans_late_ = 0;               // as PlanStore::late
+  MoveProgress progress_;                      // of the active plan
+  std::uint32_t plans_ended_ = 0;              // number of plans that ended or were dropped
   std::uint32_t plans_pulsing_ = 0;  // those of them that ended before the latest tick: their last set is being emitted
 };
 

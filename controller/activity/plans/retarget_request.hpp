@@ -8,7 +8,7 @@
 
 namespace armature {
 
-// Core 0 plans it in the tick in which it begins, because only there the state of motion is known (PlanSource).
+// Core 0 plans it, because only there the state of motion is known (PlanSource).
 struct RetargetRequest {
   PerAxis<Radians> target{};
   double speed = 1.0;  // these three as in plan_retarget()

@@ -41,6 +41,7 @@ RetargetPlan plan_passage(const RobotModel& robot, const PerAxis<AxisState>& sta
     const std::int64_t middle = does_not + (does - does_not) / 2;
     (fits(middle) ? does : does_not) = middle;
   }
+  set_peaks(plan);
   return plan;
 }
 

@@ -1,50 +1,15 @@
 #include "controller/trajectory/joint/joint_retarget.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "controller/base/timebase.hpp"
-#include "controller/trajectory/joint/axis_limits.hpp"
-#include "controller/trajectory/profile/synchronise.hpp"
 
 namespace armature {
-namespace {
-
-// What rounding may add to the end of a law, in rad and in parts of its way. The set-points jump by it at the end.
-constexpr double kMaxMiss = 1e-13;
-// In ticks; a law that takes longer is cut off.
-constexpr double kMaxExcess = 1e-6;
-// One tick more is enough for what whole_ticks() rounds down. More would be a defect of the laws.
-constexpr int kMaxAttempts = 2;
-
-// Returns whether all laws end at the target within the duration.
-bool fill(RetargetPlan& plan, const PerAxis<AxisReach>& reach, const PerAxis<TimeLawLimits>& limits) {
-  const double duration_s = seconds(plan.duration);
-  bool fits = true;
+void set_peaks(RetargetPlan& plan) noexcept {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    PhaseLaw& law = plan.laws[axis];
-    const double miss = reach[axis].motion(plan.target[axis].value(), duration_s, law);
-    const double way = 3.0 + limits[axis].speed * duration_s;
-    fits = fits && miss <= kMaxMiss * way && law.duration_s() <= duration_s + kMaxExcess * kTickSeconds;
+    plan.peak_speed_rad_s[axis] = plan.laws[axis].peak_speed();
+    plan.peak_accel_rad_s2[axis] = plan.laws[axis].peak_accel();
   }
-  return fits;
-}
-
-}  // namespace
-
-RetargetPlan plan_retarget(const RobotModel& robot, const PerAxis<AxisState>& start, const PerAxis<Radians>& target,
-                           double speed, ProfileKind kind, double accel) noexcept {
-  const auto limits = make_per_axis([&](std::size_t axis) { return axis_limits(robot.axes[axis], speed, accel); });
-  const auto reach = make_per_axis([&](std::size_t axis) { return AxisReach{kind, start[axis], limits[axis]}; });
-  RetargetPlan plan{.kind = kind, .target = target};
-  double longest_s = 0.0;
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    longest_s = std::max(longest_s, reach[axis].shortest_s(target[axis].value()));
-  }
-  plan.duration = whole_ticks(longest_s);
-  if (plan.duration > kLongestMove) return plan;
-  for (int attempt = 0; attempt < kMaxAttempts && !fill(plan, reach, limits); ++attempt) plan.duration += Ticks{1};
-  return plan;
 }
 
 PerAxis<AxisState> state_at(const RetargetPlan& plan, double t_s) noexcept {

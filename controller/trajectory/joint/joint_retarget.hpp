@@ -21,7 +21,8 @@ namespace armature {
 struct RetargetPlan {
   ProfileKind kind = ProfileKind::kTrapezoid;
   PerAxis<Radians> target{};
-  PerAxis<PhaseLaw> laws{};  // rad; absolute
+  PerAxis<PhaseLaw> laws{};                                 // rad; absolute
+  PerAxis<double> peak_speed_rad_s{}, peak_accel_rad_s2{};  // the largest of the laws
   Ticks duration{};
   double residual_rad = 0.0;  // as in JointPlan
   Tag tag{};                  // of the command
@@ -37,6 +38,9 @@ struct RetargetPlan {
 [[nodiscard]] RetargetPlan plan_retarget(const RobotModel& robot, const PerAxis<AxisState>& start,
                                          const PerAxis<Radians>& target, double speed, ProfileKind kind,
                                          double accel = 1.0) noexcept;
+
+// After a change of the laws.
+void set_peaks(RetargetPlan& plan) noexcept;
 
 // The state of motion in the middle of a plan.
 [[nodiscard]] PerAxis<AxisState> state_at(const RetargetPlan& plan, double t_s) noexcept;

@@ -19,9 +19,8 @@ double rate_bend(const RetargetPlan& plan, const RobotModel& robot) noexcept {
   if (plan.kind != ProfileKind::kSCurve) return kAnyBend;
   double least = kAnyBend;
   for (std::size_t axis = 0; axis < robot.axis_count; ++axis) {
-    const PhaseLaw& law = plan.laws[axis];
     const double jerk = robot.axes[axis].max_jerk_rad_s3;
-    least = std::min(least, rate_bend(law.peak_speed(), jerk, law.peak_accel()));
+    least = std::min(least, rate_bend(plan.peak_speed_rad_s[axis], jerk, plan.peak_accel_rad_s2[axis]));
   }
   return least;
 }

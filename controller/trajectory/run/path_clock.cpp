@@ -14,8 +14,8 @@ namespace {
 
 // The tool's positions are about 1e3 mm, with 1e-13 mm of rounding: 1e-6 of the change of a step at 40 mm/s^2.
 constexpr double kToolRounding = 1e-4;
-// Bisection steps for the change of the rate: a resolution of 1e-12 of it.
-constexpr int kHalvings = 40;
+// Bisection steps for the change of the rate: a resolution of 1e-9 of it.
+constexpr int kHalvings = 30;
 
 // The least y >= 0 beyond which slope y + curvature y^2 exceeds `room` >= 0.
 double first_excess(double slope, double curvature, double room) {
@@ -27,17 +27,27 @@ double first_excess(double slope, double curvature, double room) {
   return curvature > 0.0 ? (root - slope) / (2.0 * curvature) : kNever;
 }
 
-// A model of the change of the tool's step: quadratic in the rate.
-struct ToolModel {
-  Eigen::Vector3d slope, curvature, last;
-
-  ToolModel(const Eigen::Vector3d& last_step, double ticks, const Eigen::Vector3d& step, double rate, bool short_step)
-      : slope{step / ticks}, curvature{Eigen::Vector3d::Zero()}, last{last_step} {
-    if (short_step) return;
-    curvature = (slope * rate - last) / (rate * (ticks + rate));
-    slope -= curvature * ticks;
+// A model of the change of the tool's step when the rate changes by x: quadratic in x, so its square is of degree 4.
+class ToolBend {
+ public:
+  ToolBend(const Eigen::Vector3d& last, double ticks, const Eigen::Vector3d& step, double rate, bool short_step) {
+    const Eigen::Vector3d mean = step / ticks;
+    Eigen::Vector3d curvature = Eigen::Vector3d::Zero();
+    if (!short_step) curvature = (mean * rate - last) / (rate * (ticks + rate));
+    const Eigen::Vector3d slope = mean + curvature * (rate - ticks), kept = slope * rate - last;
+    const Eigen::Vector3d local = slope + curvature * rate;
+    square_ = {kept.squaredNorm(), 2.0 * kept.dot(local), local.squaredNorm() + 2.0 * kept.dot(curvature),
+               2.0 * local.dot(curvature), curvature.squaredNorm()};
+    most_ = std::max(1.0, square_[0]);
   }
-  [[nodiscard]] double bend(double rate) const { return ((slope + curvature * rate) * rate - last).norm(); }
+  // > 0: the bend is beyond its limit, or beyond that of the present rate if this is larger.
+  [[nodiscard]] double excess(double x) const {
+    return square_[0] - most_ + x * (square_[1] + x * (square_[2] + x * (square_[3] + x * square_[4])));
+  }
+
+ private:
+  std::array<double, 5> square_{};
+  double most_;
 };
 
 }  // namespace
@@ -121,43 +131,66 @@ void PathClock::add_motions(RateChange& change, const PerAxis<Radians>& now, dou
   add(tool.next.turn, tool.last.turn, tool.before.turn, tool.next.turn_jerk);
 }
 
-double PathClock::propose(double wanted, const PerAxis<Radians>& now, double ticks, const PerAxis<Radians>& next,
-                          const ToolStep& last, const ToolStep& tool) const noexcept {
+PathClock::PathModel::PathModel(const PathClock& clock, const PerAxis<Radians>& from, double to,
+                                const PerAxis<Radians>& at_end) noexcept
+    : ticks{to}, now{from}, next{at_end} {
+  const bool short_step = clock.rate_ < kShortStep;
+  const double rate = clock.rate_, per_tick = 1.0 / ticks;
+  const double per_square = short_step ? 0.0 : 1.0 / (rate * (ticks + rate));
+  for (std::size_t axis = 0; axis < clock.axis_count_; ++axis) {
+    const double mean = (next[axis] - now[axis]).value() * per_tick;
+    curvature[axis] = (mean * rate - clock.step_rad_[axis]) * per_square;
+    slope[axis] = mean - curvature[axis] * ticks;
+  }
+}
+
+PerAxis<Radians> PathClock::PathModel::at(double rate) const noexcept {
+  if (rate == ticks) return next;
+  return make_per_axis(
+      [&](std::size_t axis) { return now[axis] + Radians{(slope[axis] + curvature[axis] * rate) * rate}; });
+}
+
+double PathClock::propose(double wanted, const PathModel& model, const ToolStep& last,
+                          const ToolStep& tool) const noexcept {
   const bool short_step = rate_ < kShortStep;
-  const double direction = wanted < rate_ ? -1.0 : 1.0;
+  const double direction = wanted < rate_ ? -1.0 : 1.0, ticks = model.ticks;
   const double whole_change = std::fabs(wanted - rate_);
   double change = whole_change;
   for (std::size_t axis = 0; axis < axis_count_; ++axis) {
-    // The joint at time_ + x is now + slope x + curvature x^2; the second difference is that step minus the last one.
-    const double step = step_rad_[axis];
-    const double mean = (next[axis] - now[axis]).value() / ticks;
-    const double curvature = short_step ? 0.0 : (mean * rate_ - step) / (rate_ * (ticks + rate_));
-    const double slope = mean - curvature * ticks;
-    const double bend = (slope + curvature * rate_) * rate_ - step;  // when the rate is kept
+    // The second difference is the step to the joint on the parabola minus the last step.
+    const double slope = model.slope[axis], curvature = model.curvature[axis];
+    const double bend = (slope + curvature * rate_) * rate_ - step_rad_[axis];  // when the rate is kept
     const double limit = std::max(max_bend_rad_[axis], std::fabs(bend));
     const double local_slope = direction * (slope + 2.0 * curvature * rate_);
+    const double end_slope = local_slope + 2.0 * curvature * change;
+    const double end = bend + (local_slope + curvature * change) * change;
+    if (local_slope * end_slope >= 0.0 && std::fabs(end) <= limit) continue;
     change = std::min(change, first_excess(local_slope, curvature, limit - bend));
     change = std::min(change, first_excess(-local_slope, -curvature, limit + bend));
   }
-  const ToolModel move{last.move, ticks, tool.move, rate_, short_step},
-      turn{last.turn, ticks, tool.turn, rate_, short_step};
-  const double kept_move = move.bend(rate_), kept_turn = turn.bend(rate_);
-  const double most_move = std::max(1.0, kept_move), most_turn = std::max(1.0, kept_turn);
-  const auto excess = [&](double tried) {
-    const double rate = rate_ + direction * tried;
-    return std::max(move.bend(rate) - most_move, turn.bend(rate) - most_turn);
-  };
-  const double beyond = excess(change);
-  if (!(beyond <= 0.0)) {
+  const auto keep_limit = [&](const ToolBend& bend) {
+    const auto excess = [&](double tried) { return bend.excess(direction * tried); };
+    const double beyond = excess(change);
+    if (beyond <= 0.0) return;
     // No change is within the limits, since the rate is kept.
-    const EndValues at{.inside = std::max(kept_move - most_move, kept_turn - most_turn), .outside = beyond};
+    const EndValues at{.inside = std::min(excess(0.0), 0.0), .outside = beyond};
     change = halved<kHalvings>({.inside = 0.0, .outside = change}, at, excess).inside;
-  }
+  };
+  keep_limit({last.move, ticks, tool.move, rate_, short_step});
+  keep_limit({last.turn, ticks, tool.turn, rate_, short_step});
   return change == whole_change ? wanted : rate_ + direction * change;
 }
 
 bool PathClock::allowed(const ToolStep& last, const ToolStep& next) noexcept {
   return (next.move - last.move).norm() <= 1.0 + kToolRounding && (next.turn - last.turn).norm() <= 1.0 + kToolRounding;
+}
+
+bool PathClock::keeps_limits(const ToolStep& last, double ticks, const ToolStep& next, double rate) const noexcept {
+  const auto keeps = [&](const Eigen::Vector3d& last_step, const Eigen::Vector3d& next_step) {
+    const ToolBend bend{last_step, ticks, next_step, rate_, rate_ < kShortStep};
+    return bend.excess(rate - rate_) <= 2.0 * kToolRounding;
+  };
+  return keeps(last.move, next.move) && keeps(last.turn, next.turn);
 }
 
 bool PathClock::allowed(const PerAxis<Radians>& now, const PerAxis<Radians>& next) const noexcept {

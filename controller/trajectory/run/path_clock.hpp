@@ -8,6 +8,11 @@
 //   joints  |q[k+1] - 2 q[k] + q[k-1]| <= a_max Ts^2     |q[k+1] - q[k]| <= v_max Ts
 //   tool    the same for its position and its rotation, with the acceleration limits of the move
 //
+// In a change one point of the path is evaluated: at the rate that is foreseen, which changes as it did in the last
+// tick. The parabola through it and the last two set-points gives the rate, and the set-point if this rate is as close
+// to the foreseen one as 0.01: at most 1e-10 rad from the path, where the plan's acceleration jumps; otherwise at most
+// 1e-12. Only for another rate the path is evaluated again.
+//
 // The present rate can always be kept: at a rate of 1 or less it needs no more than the plan does. So the rate stays
 // constant while it cannot change in the wanted direction. This happens when a joint already brakes at its limit, so
 // that nothing may slow down, and when a joint turns round and slowing down would increase its acceleration. Both
@@ -48,8 +53,9 @@ struct ToolStep {
 
 class PathClock {
  public:
-  // Largest number of evaluations of the path in one tick: one while the rate is constant, none while standing.
-  static constexpr int kMaxEvaluations = 5;
+  // Largest number of evaluations of the path in one tick: one while the rate is constant, and in most ticks of a
+  // change; none while standing.
+  static constexpr int kMaxEvaluations = 4;
 
   explicit PathClock(const RobotModel& robot) noexcept;
 
@@ -71,6 +77,8 @@ class PathClock {
   [[nodiscard]] double rate() const noexcept { return rate_; }
   // The rate did not change in the last tick.
   [[nodiscard]] bool steady() const noexcept { return rate_step_ == 0.0; }
+  // Changes of the rate limit the jerk.
+  [[nodiscard]] bool limits_jerk() const noexcept { return jerk_ != RateJerk::kAny || rate_bend_ != kAnyBend; }
   // The last set-point minus the previous one, and the same a tick before.
   [[nodiscard]] const PerAxis<double>& step_rad() const noexcept { return step_rad_; }
   [[nodiscard]] const PerAxis<double>& previous_step_rad() const noexcept { return previous_step_rad_; }
@@ -94,8 +102,10 @@ class PathClock {
   static constexpr double kShortStep = 1e-3;
   // The model of the path is exact for rates as close as this to the evaluated one.
   static constexpr double kCloseStep = 0.1;
+  // The path is known as close as this to the evaluated rate.
+  static constexpr double kKnown = 0.01;
   static constexpr int kAttempts =
-      kMaxEvaluations - 2;  // the others: one step ahead, and the step at the constant rate
+      kMaxEvaluations - 2;  // the others: the step that is foreseen, and the step at the constant rate
 
   template <class At, class Step, class MayTry>
   [[nodiscard]] PerAxis<Radians> change_rate(double wanted, const PerAxis<Radians>& now, At at, Step tool_step,
@@ -113,12 +123,25 @@ class PathClock {
   // time time() + `ticks`.
   void add_motions(RateChange& change, const PerAxis<Radians>& now, double ticks, const PerAxis<Radians>& next,
                    const ToolSteps& tool) const noexcept;
-  // The rate nearest to `wanted` according to a model of the path. For each joint and the tool the model is the
-  // parabola through the last two set-points and the point `next` (`tool` for the tool) at path time time() + `ticks`.
-  [[nodiscard]] double propose(double wanted, const PerAxis<Radians>& now, double ticks, const PerAxis<Radians>& next,
-                               const ToolStep& last, const ToolStep& tool) const noexcept;
+  // The joints near path time time(): for each the parabola through the last two set-points and the point `next` at
+  // path time time() + `ticks`.
+  struct PathModel {
+    PathModel(const PathClock& clock, const PerAxis<Radians>& from, double to, const PerAxis<Radians>& at_end) noexcept;
+    // The path is known at this rate: its distance from the parabola is below a third of kKnown a Ts^2, 1e-10 rad.
+    [[nodiscard]] bool knows(double rate) const noexcept { return std::fabs(rate - ticks) <= kKnown; }
+    [[nodiscard]] PerAxis<Radians> at(double rate) const noexcept;
+
+    double ticks;
+    PerAxis<Radians> now, next;
+    PerAxis<double> slope{}, curvature{};
+  };
+  // The rate nearest to `wanted` according to the model, and to that of the tool, to which `tool` leads.
+  [[nodiscard]] double propose(double wanted, const PathModel& model, const ToolStep& last,
+                               const ToolStep& tool) const noexcept;
   [[nodiscard]] bool allowed(const PerAxis<Radians>& now, const PerAxis<Radians>& next) const noexcept;
   [[nodiscard]] static bool allowed(const ToolStep& last, const ToolStep& next) noexcept;
+  // The same for the step at this rate, by the parabola that leads to `next` after `ticks`.
+  [[nodiscard]] bool keeps_limits(const ToolStep& last, double ticks, const ToolStep& next, double rate) const noexcept;
   void apply(double rate, const PerAxis<Radians>& now, const PerAxis<Radians>& next) noexcept;
 
   static constexpr double kMinChangeScale = 0x1p-40;
@@ -174,27 +197,31 @@ PerAxis<Radians> PathClock::change_rate(double wanted, const PerAxis<Radians>& n
     apply(rate_, now, next);
     return next;
   }
-  const PerAxis<Radians> ahead = at(time_ + 1.0);
-  const auto at_rate = [&](double rate) { return rate == 0.0 ? now : rate == 1.0 ? ahead : at(time_ + rate); };
+  const double foreseen = std::clamp(rate_ + rate_step_, kShortStep, 1.0);
+  PathModel model{*this, now, foreseen, at(time_ + foreseen)};
   const ToolStep last = tool_step(last_time_, time_);
-  const double proposed = propose(wanted, now, 1.0, ahead, last, tool_step(time_, time_ + 1.0));
+  const double proposed = propose(wanted, model, last, tool_step(time_, time_ + foreseen));
   double rate = change_scale_ == 1.0 ? proposed : rate_ + change_scale_ * (proposed - rate_);
   const bool tries = rate != rate_;
-  for (int attempt = 0; attempt < kAttempts && rate != rate_ && may_try(); ++attempt) {
-    const PerAxis<Radians> next = at_rate(rate);
-    const ToolStep tool = tool_step(time_, time_ + rate);
-    if (allowed(now, next) && allowed(last, tool)) {
+  for (int attempt = 0; attempt < kAttempts && rate != rate_; ++attempt) {
+    const bool known = rate == 0.0 || model.knows(rate);
+    if (!known && !may_try()) break;
+    const PerAxis<Radians> next = known ? model.at(rate) : at(time_ + rate);
+    const ToolStep tool = known ? ToolStep{} : tool_step(time_, time_ + rate);
+    if (allowed(now, next) && (known || allowed(last, tool))) {
       change_scale_ = std::min(1.0, 2.0 * change_scale_);
       apply(rate, now, next);
       return next;
     }
+    if (known) break;
     // The point that was tried improves the model. If the new proposal is not smaller, half of the change is tried.
+    model = {*this, now, rate, next};
     const double halfway = rate_ + 0.5 * (rate - rate_);
-    const double better = rate < kShortStep ? halfway : propose(wanted, now, rate, next, last, tool);
+    const double better = rate < kShortStep ? halfway : propose(wanted, model, last, tool);
     rate = std::fabs(better - rate_) < std::fabs(rate - rate_) ? better : halfway;
   }
   if (tries) change_scale_ = std::max(kMinChangeScale, 0.5 * change_scale_);
-  const PerAxis<Radians> next = at_rate(rate_);
+  const PerAxis<Radians> next = rate_ == 0.0 || model.knows(rate_) ? model.at(rate_) : at(time_ + rate_);
   apply(rate_, now, next);
   return next;
 }
@@ -212,16 +239,20 @@ PerAxis<Radians> PathClock::change_smoothly(double wanted, const PerAxis<Radians
     const double ahead = change.ahead();
     const double rate = change.rate(ahead > 0.0 ? plan_jerk(time_, time_ + ahead) : 0.0);
     const bool exact = std::fabs(rate - ticks) <= (rate_ < kShortStep ? kShortStep : kCloseStep);
+    const PathModel model{*this, now, ticks, next};
+    const bool known = rate == 0.0 || model.knows(rate);
     ticks = rate;
-    next = rate == 0.0 ? now : at(time_ + rate);
-    if (rate != 0.0 && !exact && attempt < kAttempts - 1 && may_try()) continue;
+    next = known ? model.at(rate) : at(time_ + rate);
+    if (!known && !exact && attempt < kAttempts - 1 && may_try()) continue;
     // Speed and acceleration keep their limits, whatever the model of the path: the present rate needs no more than the
     // plan does.
-    if (allowed(now, next) && allowed(tool.last, tool_step(time_, time_ + rate))) {
+    const bool tool_allowed = known ? keeps_limits(tool.last, model.ticks, tool.next, rate)
+                                    : allowed(tool.last, tool_step(time_, time_ + rate));
+    if (tool_allowed && allowed(now, next)) {
       apply(rate, now, next);
       return next;
     }
-    next = rate_ == 0.0 ? now : at(time_ + rate_);
+    next = rate_ == 0.0 || model.knows(rate_) ? model.at(rate_) : at(time_ + rate_);
     apply(rate_, now, next);
     return next;
   }

@@ -61,8 +61,8 @@ void Sampler::restart_clock(double rate, bool in_motion) noexcept {
     }
   } else if (only.chain != nullptr && only.chain->count == 1 && only.chain->moves[0].kind == ProfileKind::kSCurve) {
     clock_.restart(rate, RateJerk::kReversing, kAnyBend, in_motion);
-    const PerAxis<PhaseLaw>& laws = only.chain->moves[0].laws;
-    for (std::size_t axis = 0; axis < kAxes; ++axis) clock_.set_peak(axis, laws[axis].peak_accel());
+    const PerAxis<double>& peak = only.chain->moves[0].peak_accel_rad_s2;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) clock_.set_peak(axis, peak[axis]);
   } else {
     clock_.restart(rate, RateJerk::kAny, rate_bend(plan_, robot_), in_motion);
   }
@@ -172,8 +172,8 @@ ToolStep Sampler::tool_step(double from, double to) noexcept {
     limits_jerk = limits_jerk && segment.profile == ProfileKind::kSCurve;
   }
   if (accel_mm_s2 == 0.0) return {};  // beyond the end
-  const ToolSample first = tool_at(*path, from);
-  const ToolSample& second = tool_at(*path, to);
+  const ToolSample& first = tool_at(*path, from);
+  const ToolSample& second = tool_at(*path, to, &first);
   const Eigen::Vector3d move_mm = second.tool.base_T_tool.position_mm - first.tool.base_T_tool.position_mm;
   constexpr double kTick2 = kTickSeconds * kTickSeconds;
   ToolStep step{.move = move_mm / (accel_mm_s2 * kTick2),
@@ -185,10 +185,11 @@ ToolStep Sampler::tool_step(double from, double to) noexcept {
   return step;
 }
 
-const ToolSample& Sampler::tool_at(const CartesianPlan& path, double ticks) noexcept {
+const ToolSample& Sampler::tool_at(const CartesianPlan& path, double ticks, const ToolSample* keep) noexcept {
   for (std::size_t i = 0; i < sample_count_; ++i) {
     if (samples_[i].path == &path && samples_[i].ticks == ticks) return samples_[i].tool;
   }
+  if (&samples_[oldest_sample_].tool == keep) oldest_sample_ = (oldest_sample_ + 1) % samples_.size();
   Sample& sample = samples_[oldest_sample_];
   oldest_sample_ = (oldest_sample_ + 1) % samples_.size();
   sample_count_ = std::min(sample_count_ + 1, samples_.size());

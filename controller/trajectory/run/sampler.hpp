@@ -52,6 +52,8 @@ class Sampler {
   // The state of motion at the last set-point, for a plan that begins there. Exact for joint plans at a constant rate,
   // otherwise that of state_after(): its acceleration is that of a tick ago.
   [[nodiscard]] PerAxis<AxisState> state() const noexcept;
+  // The rate may stay as it is in any tick: it does not change, or its changes do not limit the jerk.
+  [[nodiscard]] bool may_keep_rate() const noexcept { return clock_.steady() || !clock_.limits_jerk(); }
   // Path time per time in the last tick, 0..1; 0 if no plan was active.
   [[nodiscard]] double rate() const noexcept { return rate_; }
 
@@ -70,9 +72,10 @@ class Sampler {
   void restart_clock(double rate, bool in_motion) noexcept;
   [[nodiscard]] PerAxis<Radians> at(double ticks) noexcept;
   [[nodiscard]] ToolStep tool_step(double from, double to) noexcept;
-  // tool_sample() of a path of the active plan, until the next call. A change of the rate needs those of the last two
-  // ticks again, and those of the joints that it tries.
-  [[nodiscard]] const ToolSample& tool_at(const CartesianPlan& path, double ticks) noexcept;
+  // tool_sample() of a path of the active plan, until the next call that does not `keep` it. A change of the rate needs
+  // those of the last two ticks again, and those of the joints that it tries.
+  [[nodiscard]] const ToolSample& tool_at(const CartesianPlan& path, double ticks,
+                                          const ToolSample* keep = nullptr) noexcept;
   void forget_samples() noexcept;
   [[nodiscard]] double plan_jerk(double from, double to) const noexcept;
   void finish_if_over() noexcept;

@@ -35,7 +35,7 @@ TEST(Retarget, ReplacesTheMoveInMotionWithoutAStop) {
   EXPECT_EQ(rig.finished[0].tag, Tag{1});
   EXPECT_EQ(rig.finished[1].how, MoveFinished::How::kReachedEnd);
   EXPECT_EQ(rig.finished[1].taken, rig.moves[1].duration);
-  EXPECT_LE(rig.moves[1].start_tick, Ticks{6'001});
+  EXPECT_LE(rig.moves[1].start_tick, Ticks{6'005});
   rig.expect_at({70, 30, 0, 0, 0, 0});
   expect_limits(rig, "over a joint move");
   // Joint 1 is the slowest. It keeps its 120 deg/s and brakes with 600 deg/s^2: the optimum, rounded up to whole ticks.

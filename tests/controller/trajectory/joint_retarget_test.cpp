@@ -10,6 +10,7 @@
 #include "controller/base/timebase.hpp"
 #include "controller/kinematics/arm.hpp"
 #include "controller/trajectory/joint/joint_move.hpp"
+#include "controller/trajectory/joint/retarget_planner.hpp"
 #include "controller/trajectory/run/sampler.hpp"
 #include "tests/controller/support/draws.hpp"
 #include "tests/controller/support/keeping_sampler.hpp"
@@ -61,6 +62,40 @@ class JointRetarget : public testing::TestWithParam<ProfileKind> {
   const RobotModel robot = robot_with_jerk();
   const Arm arm{robot};
 };
+
+// One planner for all of them: nothing of the plan before may be left.
+TEST_P(JointRetarget, InPartsItIsTheSamePlan) {
+  test::Random random{22};
+  RetargetPlanner planner{robot};
+  int outside = 0;
+  for (int draw = 0; draw < test::draws(500); ++draw) {
+    SCOPED_TRACE("seed 22 draw " + std::to_string(draw));
+    const auto state = make_per_axis([&](std::size_t) {
+      return AxisState{.position = random.real(-3.05, 3.05), .velocity = random.real(-1.5, 1.5)};
+    });
+    const PerAxis<Radians> target = random_target(random);
+    const double speed = random.real(0.1, 1.0);
+    const RetargetPlan whole = plan_retarget(robot, state, target, speed, GetParam());
+    planner.begin(state, {.target = target, .speed = speed, .kind = GetParam()});
+    for (int part = 0; part < RetargetPlanner::kParts; ++part) {
+      ASSERT_FALSE(planner.done());
+      planner.step();
+    }
+    ASSERT_TRUE(planner.done());
+    const RetargetPlan& plan = planner.plan();
+    ASSERT_EQ(plan.duration, whole.duration);
+    ASSERT_EQ(plan.target, target);
+    ASSERT_EQ(plan.peak_speed_rad_s, whole.peak_speed_rad_s);
+    ASSERT_EQ(plan.peak_accel_rad_s2, whole.peak_accel_rad_s2);
+    for (const double share : {0.0, 0.3, 0.8, 1.0}) {
+      const double t_s = share * seconds(plan.duration);
+      ASSERT_EQ(position(plan, t_s), position(whole, t_s));
+    }
+    ASSERT_EQ(planner.outside(), axis_outside(whole, robot));
+    outside += planner.outside() ? 1 : 0;
+  }
+  EXPECT_GT(outside, 0);
+}
 
 TEST_P(JointRetarget, FromRestItTakesTheTicksOfAJointMove) {
   test::Random random{21};

@@ -22,6 +22,7 @@ using Joints = PerAxis<Radians>;
 using Path = std::function<Joints(double)>;  // of ticks
 
 constexpr double kRounding = 2e-6;
+constexpr double kOffPath_rad = 1e-10;  // while the rate should change
 
 constexpr auto kNoTool = [](double, double) { return ToolStep{}; };
 constexpr auto kAlways = [] { return true; };
@@ -36,7 +37,7 @@ class Drive {
   }
 
   void tick(double wanted) {
-    const double time = clock_.time();
+    const double time = clock_.time(), rate = clock_.rate();
     int evaluations = 0;
     const auto at = [&](double ticks) {
       ++evaluations;
@@ -48,7 +49,7 @@ class Drive {
     ASSERT_GE(clock_.rate(), 0.0);
     ASSERT_LE(clock_.rate(), 1.0);
     ASSERT_EQ(clock_.time(), time + clock_.rate());
-    ASSERT_EQ(next, clock_.rate() == 0.0 ? points_.back() : path_(clock_.time())) << "off the path";
+    expect_on_path(next, wanted == rate ? 0.0 : kOffPath_rad);
     points_.push_back(next);
     if (check_limits) expect_limits();
   }
@@ -65,6 +66,17 @@ class Drive {
   int last_evaluations = 0;
 
  private:
+  void expect_on_path(const Joints& next, double most_rad) const {
+    if (clock_.rate() == 0.0) {
+      ASSERT_EQ(next, points_.back());
+      return;
+    }
+    const Joints exact = path_(clock_.time());
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      const double miss_rad = (next[axis] - exact[axis]).value();
+      ASSERT_LE(std::fabs(miss_rad), most_rad) << "axis " << axis + 1 << " is off the path";
+    }
+  }
   void expect_limits() const {
     const std::size_t k = points_.size() - 1;
     for (std::size_t axis = 0; axis < robot_.axis_count; ++axis) {
@@ -314,7 +326,6 @@ TEST(PathClock, TheNumberOfEvaluationsIsBoundedWhateverThePathDoes) {
     ASSERT_LE(clock.rate(), 1.0);
   }
   EXPECT_LE(most, PathClock::kMaxEvaluations);
-  EXPECT_GE(most, 3);
 }
 
 TEST(PathClock, JointsThatTheArmHasNotDoNotCount) {

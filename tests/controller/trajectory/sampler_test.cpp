@@ -194,7 +194,7 @@ TEST_F(SamplerTest, HoldsAndOverridesAtAnyTimeKeepPathAndLimits) {
       const auto planned = position(plan, elapsed * kTickSeconds);
       const std::size_t k = points.size() - 1;
       for (std::size_t axis = 0; axis < kAxes; ++axis) {
-        ASSERT_NEAR(points[k][axis].value(), planned[axis].value(), 1e-12) << "axis " << axis + 1;
+        ASSERT_NEAR(points[k][axis].value(), planned[axis].value(), 1e-10) << "axis " << axis + 1;
         const double step = (points[k][axis] - points[k - 1][axis]).value();
         const double bend = step - (points[k - 1][axis] - points[k - 2][axis]).value();
         ASSERT_LE(std::fabs(step) / kTickSeconds, robot.axes[axis].max_speed_rad_s * (1.0 + 2e-6));

@@ -21,6 +21,9 @@ class Notes final : public EventListener {
   std::vector<Event> events;
 };
 
+// On a joint plan and at rest; see RetargetInMotion.
+constexpr int kTicksToRetarget = 4;
+
 struct PlanSourceTest : testing::Test {
   const SetPoint& tick() { return source.advance(Ticks{ticks++}, channel.control.view()); }
   static Request request_to(const PerAxis<double>& target_deg, std::uint32_t tag) {
@@ -107,6 +110,8 @@ TEST_F(PlanSourceTest, ANewTargetInMotionReplacesThePlanWithinTheLimits) {
   };
   run(3'000);
   source.feed(request_to({-20, 0, 10, 40, 10, 0}, 2));
+  run(kTicksToRetarget);
+  EXPECT_EQ(notes.events.size(), 1u) << "the first move continues until the new one is planned";
   run(1);
   EXPECT_TRUE(source.set_point().wake);
   ASSERT_EQ(notes.events.size(), 3u);
@@ -142,7 +147,7 @@ TEST_F(PlanSourceTest, ATargetThatAJointCanOnlyReachBeyondItsLimitIsRefusedAndTh
   while (ticks < first.duration.value() - 1'000) tick();
   // Braking already: 1.5 deg before its target. A slower move would have to brake more, but cannot.
   source.feed(request_to({0, 0, 0, 0, 0, 0}, 2));
-  tick();
+  for (int i = 0; i <= kTicksToRetarget; ++i) tick();
   ASSERT_EQ(notes.events.size(), 3u) << "this one is possible";
   EXPECT_EQ(std::get<MoveStarted>(notes.events[2]).tag, Tag{2});
   while (!source.at_rest()) tick();
@@ -156,7 +161,7 @@ TEST_F(PlanSourceTest, ATargetThatAJointCanOnlyReachBeyondItsLimitIsRefusedAndTh
   std::int64_t at = 0;
   while (other.set_point().position[0] < Radians{55.0 * test::kDeg}) other.advance(Ticks{++at}, channel.control.view());
   other.feed(request_to({0, 0, 0, 0, 0, 0}, 3));
-  other.advance(Ticks{++at}, channel.control.view());
+  for (int i = 0; i <= kTicksToRetarget; ++i) other.advance(Ticks{++at}, channel.control.view());
   ASSERT_EQ(notes.events.size(), 2u);
   const MoveRefused& refused = std::get<MoveRefused>(notes.events[1]);
   EXPECT_EQ(refused.reason, Refusal::kOutsideLimits);
@@ -175,10 +180,42 @@ TEST_F(PlanSourceTest, ATargetThatAJointCanOnlyReachBeyondItsLimitIsRefusedAndTh
 
 TEST_F(PlanSourceTest, ANewTargetAtRestIsAMove) {
   source.feed(request_to({10, 0, 0, 0, 0, 0}, 1));
-  tick();
+  for (int i = 0; i <= kTicksToRetarget; ++i) tick();
   EXPECT_FALSE(source.at_rest());
   while (!source.at_rest()) tick();
   EXPECT_EQ(source.set_point().position, test::degrees({10, 0, 0, 0, 0, 0}));
+}
+
+TEST_F(PlanSourceTest, AStopWhileANewTargetIsPlannedDropsItAndBrakesOnThePlan) {
+  const JointPlan plan = plan_joint_move(robot, {}, test::degrees({40, -30, 0, 0, 0, 0}), 1.0, SyncRule::kFig9);
+  for (int into = 0; into <= kTicksToRetarget; ++into) {
+    SCOPED_TRACE(into);
+    notes.events.clear();
+    PlanSource braking{robot, arm, channel, notes};
+    ASSERT_TRUE(channel.plan_store.plans.try_push(Plan{Piece{plan}}));
+    std::vector<PerAxis<Radians>> points(2);
+    std::int64_t at = 0;
+    const auto run = [&] { points.push_back(braking.advance(Ticks{++at}, {}).position); };
+    while (at < 3'000) run();
+    braking.feed(request_to({-20, 0, 10, 40, 10, 0}, 2));
+    for (int i = 0; i < into; ++i) run();
+    braking.stop(StopKind::kQuick);
+    run();
+    const std::int64_t asked = at;
+    while (!braking.set_point().stopped && at < 20'000) run();
+    EXPECT_LT(at - asked, 4'100) << "120 deg/s with 600 deg/s^2, and 3 ticks";
+    ASSERT_EQ(notes.events.size(), 3u);
+    EXPECT_EQ(std::get<MoveRefused>(notes.events[1]).tag, Tag{2});
+    EXPECT_EQ(std::get<MoveFinished>(notes.events[2]).how, MoveFinished::How::kCutShort);
+    for (std::size_t k = 2; k < points.size(); ++k) {
+      for (std::size_t axis = 0; axis < kAxes; ++axis) {
+        const double step = (points[k][axis] - points[k - 1][axis]).value();
+        const double bend = step - (points[k - 1][axis] - points[k - 2][axis]).value();
+        const double accel = robot.axes[axis].max_accel_rad_s2 * kTickSeconds * kTickSeconds;
+        ASSERT_LE(std::fabs(bend), accel * (1.0 + 1e-5)) << k << " axis " << axis;
+      }
+    }
+  }
 }
 
 TEST_F(PlanSourceTest, AStopDropsANewTargetThatWaitsInAHold) {
