@@ -34,7 +34,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kLiveDetails = R"(Examples:
   armature live pendant_jog --pace 2000 --for 1   # prints an address; without --for it ends with Ctrl-C
-  armature live arm_5r_pick_place --port 8080 --for 1
+  armature live arm_5r_pick_place --out five_axes --for 1
   armature live job_pick_and_place --engine rtl --for 0.01
 
 Open the printed address in a browser. The page shows the arm as simulated time passes, and is a teach pendant: it
@@ -43,7 +43,8 @@ programs, and has an emergency stop. Its sliders move a shadow of the arm, by jo
 Everything that the page commands is a frame of the pendant's protocol on the simulated serial line.
 A scenario with [pendant] runs as it is; the page takes the place of the steps. Any other scenario gets the pendant
 with the profile 'extended' and loses its moves: the drives are off until the page switches them on.
-The simulation keeps the pace of real time if the machine is fast enough; the page shows the factor.
+The simulation keeps the pace of real time if the machine is fast enough; the page shows the factor. The engine is the
+model, whatever the scenario says; --engine chooses another one.
 When the page is closed or frozen, the arm stops. Only this machine can connect; the address has a random token, without
 which nothing is served. One page at a time has the arm.
 --out gets serial.csv and log.txt. The last lines that the command prints repeat the session without the page, from
