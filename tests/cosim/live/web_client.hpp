@@ -84,7 +84,7 @@ class WebClient {
     EXPECT_TRUE(wait_until([this] { return ended_ || received_.find("\r\n\r\n") != std::string::npos; }));
     const std::size_t end = received_.find("\r\n\r\n");
     if (end == std::string::npos) return {};
-    const std::string head = received_.substr(0, end);
+    std::string head = received_.substr(0, end);
     received_.erase(0, end + 4);
     return head;
   }
