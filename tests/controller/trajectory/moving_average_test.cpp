@@ -14,14 +14,14 @@
 namespace armature {
 namespace {
 
-constexpr double kSpeed = 0.4, kAccel = 2.0;
+constexpr double kTopSpeed = 0.4, kTopAccel = 2.0;
 
 // A law of constant limits over 0..length, with a stop at `stop`.
 std::unique_ptr<SpeedLaw> law_over(double length, double stop, double jerk) {
   auto law = std::make_unique<SpeedLaw>();
   LawLimits limits;
-  limits.bands[0].by_accel = 1.0 / kAccel;
-  limits.most_square = kSpeed * kSpeed;
+  limits.bands[0].by_accel = 1.0 / kTopAccel;
+  limits.most_square = kTopSpeed * kTopSpeed;
   limits.jerk.by_change = 1.0 / jerk;
   law->append(0.0, limits);
   if (stop > 0.0) law->append(stop, limits, true);
@@ -31,13 +31,13 @@ std::unique_ptr<SpeedLaw> law_over(double length, double stop, double jerk) {
 }
 
 TEST(MovingAverage, OfATrapezoidIsTheSCurve) {
-  const double tau_s = 0.05, jerk = kAccel / tau_s;
+  const double tau_s = 0.05, jerk = kTopAccel / tau_s;
   const auto law = law_over(1.0, 0.0, jerk);
   TimeTable trapezoid, smooth;
   trapezoid.assign(*law);
   const std::array tau{Ticks{1'000}};
   moving_average(trapezoid, tau, smooth);
-  const SCurveProfile expected = plan_scurve(1.0, {.speed = kSpeed, .accel = kAccel, .jerk = jerk});
+  const SCurveProfile expected = plan_scurve(1.0, {.speed = kTopSpeed, .accel = kTopAccel, .jerk = jerk});
   ASSERT_NEAR(seconds(smooth.duration()), expected.duration_s, 1.1 * kTickSeconds);
   // The trapezoid takes whole ticks.
   const double slower = seconds(smooth.duration()) / expected.duration_s;
@@ -114,7 +114,7 @@ TEST(MovingAverage, IsContinuedInMotion) {
 
 TEST(Plateaus, CutAPeakSoThatItLastsForTau) {
   const double tau_s = 0.05;
-  const auto law = law_over(0.02, 0.0, kAccel / tau_s);  // a triangle
+  const auto law = law_over(0.02, 0.0, kTopAccel / tau_s);  // a triangle
   TimeTable table;
   table.assign(*law);
   Plateaus plateaus;
@@ -136,9 +136,9 @@ TEST(Plateaus, FillAValleySoThatItLastsForTau) {
   const double tau_s = 0.05;
   auto law = std::make_unique<SpeedLaw>();
   LawLimits limits;
-  limits.bands[0].by_accel = 1.0 / kAccel;
-  limits.most_square = kSpeed * kSpeed;
-  limits.jerk.by_change = tau_s / kAccel;
+  limits.bands[0].by_accel = 1.0 / kTopAccel;
+  limits.most_square = kTopSpeed * kTopSpeed;
+  limits.jerk.by_change = tau_s / kTopAccel;
   LawLimits slow = limits;
   slow.most_square = 0.01;  // at one place
   law->append(0.0, limits);
@@ -163,14 +163,14 @@ TEST(Plateaus, FillAValleySoThatItLastsForTau) {
 
 TEST(Plateaus, KeepTheSpeedAtAJoint) {
   const double tau_s = 0.05;
-  const auto law = law_over(1.0, 0.0, kAccel / tau_s);
+  const auto law = law_over(1.0, 0.0, kTopAccel / tau_s);
   TimeTable table;
   table.assign(*law);
   const TimeTable::Point joint = table.passing(0.01);  // the law speeds up there
   ASSERT_NEAR(joint.speed, 0.2, 1e-9);
   table.keep(0.0, joint, Ticks{});
   // It stops soon, so a plateau of tau would need a slower one.
-  const auto behind = law_behind(joint, 0.0225, kAccel / tau_s);
+  const auto behind = law_behind(joint, 0.0225, kTopAccel / tau_s);
   table.continue_with(*behind);
   Plateaus plateaus;
   plateaus.find(table, run_from(table, 0), tau_s, *behind, &joint);
