@@ -128,13 +128,19 @@ class PathClock {
   struct PathModel {
     PathModel(const PathClock& clock, const PerAxis<Radians>& from, double to, const PerAxis<Radians>& at_end) noexcept;
     // The path is known at this rate: its distance from the parabola is below a third of kKnown a Ts^2, 1e-10 rad.
-    [[nodiscard]] bool knows(double rate) const noexcept { return std::fabs(rate - ticks) <= kKnown; }
+    [[nodiscard]] bool knows(double rate) const noexcept { return rate == 0.0 || std::fabs(rate - ticks) <= kKnown; }
+    // So is the step of the tool: to a thousandth of its limits, where the plan's acceleration jumps.
+    [[nodiscard]] bool knows_tool(double rate) const noexcept {
+      return rate == 0.0 || std::fabs(rate - ticks) <= 0.1 * kKnown;
+    }
     [[nodiscard]] PerAxis<Radians> at(double rate) const noexcept;
 
     double ticks;
     PerAxis<Radians> now, next;
     PerAxis<double> slope{}, curvature{};
   };
+  template <class At>
+  [[nodiscard]] PerAxis<Radians> keep_rate(const PerAxis<Radians>& now, const PathModel& model, At at) noexcept;
   // The rate nearest to `wanted` according to the model, and to that of the tool, to which `tool` leads.
   [[nodiscard]] double propose(double wanted, const PathModel& model, const ToolStep& last,
                                const ToolStep& tool) const noexcept;
@@ -189,6 +195,13 @@ PerAxis<Radians> PathClock::advance_hard(double wanted, const PerAxis<Radians>& 
       wanted, now, at, [](double, double) { return ToolStep{}; }, may_try);
 }
 
+template <class At>
+PerAxis<Radians> PathClock::keep_rate(const PerAxis<Radians>& now, const PathModel& model, At at) noexcept {
+  const PerAxis<Radians> next = model.knows(rate_) ? model.at(rate_) : at(time_ + rate_);
+  apply(rate_, now, next);
+  return next;
+}
+
 template <class At, class Step, class MayTry>
 PerAxis<Radians> PathClock::change_rate(double wanted, const PerAxis<Radians>& now, At at, Step tool_step,
                                         MayTry may_try) noexcept {
@@ -204,11 +217,12 @@ PerAxis<Radians> PathClock::change_rate(double wanted, const PerAxis<Radians>& n
   double rate = change_scale_ == 1.0 ? proposed : rate_ + change_scale_ * (proposed - rate_);
   const bool tries = rate != rate_;
   for (int attempt = 0; attempt < kAttempts && rate != rate_; ++attempt) {
-    const bool known = rate == 0.0 || model.knows(rate);
+    const bool known = model.knows(rate);
     if (!known && !may_try()) break;
     const PerAxis<Radians> next = known ? model.at(rate) : at(time_ + rate);
-    const ToolStep tool = known ? ToolStep{} : tool_step(time_, time_ + rate);
-    if (allowed(now, next) && (known || allowed(last, tool))) {
+    const bool tool_known = model.knows_tool(rate);
+    const ToolStep tool = tool_known ? ToolStep{} : tool_step(time_, time_ + rate);
+    if (allowed(now, next) && (tool_known || allowed(last, tool))) {
       change_scale_ = std::min(1.0, 2.0 * change_scale_);
       apply(rate, now, next);
       return next;
@@ -221,9 +235,7 @@ PerAxis<Radians> PathClock::change_rate(double wanted, const PerAxis<Radians>& n
     rate = std::fabs(better - rate_) < std::fabs(rate - rate_) ? better : halfway;
   }
   if (tries) change_scale_ = std::max(kMinChangeScale, 0.5 * change_scale_);
-  const PerAxis<Radians> next = rate_ == 0.0 || model.knows(rate_) ? model.at(rate_) : at(time_ + rate_);
-  apply(rate_, now, next);
-  return next;
+  return keep_rate(now, model, at);
 }
 
 template <class At, class Step, class MayTry, class PlanJerk>
@@ -240,21 +252,19 @@ PerAxis<Radians> PathClock::change_smoothly(double wanted, const PerAxis<Radians
     const double rate = change.rate(ahead > 0.0 ? plan_jerk(time_, time_ + ahead) : 0.0);
     const bool exact = std::fabs(rate - ticks) <= (rate_ < kShortStep ? kShortStep : kCloseStep);
     const PathModel model{*this, now, ticks, next};
-    const bool known = rate == 0.0 || model.knows(rate);
+    const bool known = model.knows(rate);
     ticks = rate;
     next = known ? model.at(rate) : at(time_ + rate);
     if (!known && !exact && attempt < kAttempts - 1 && may_try()) continue;
     // Speed and acceleration keep their limits, whatever the model of the path: the present rate needs no more than the
     // plan does.
-    const bool tool_allowed = known ? keeps_limits(tool.last, model.ticks, tool.next, rate)
-                                    : allowed(tool.last, tool_step(time_, time_ + rate));
+    const bool tool_allowed = model.knows_tool(rate) ? keeps_limits(tool.last, model.ticks, tool.next, rate)
+                                                     : allowed(tool.last, tool_step(time_, time_ + rate));
     if (tool_allowed && allowed(now, next)) {
       apply(rate, now, next);
       return next;
     }
-    next = rate_ == 0.0 || model.knows(rate_) ? model.at(rate_) : at(time_ + rate_);
-    apply(rate_, now, next);
-    return next;
+    return keep_rate(now, model, at);
   }
 }
 
