@@ -21,9 +21,9 @@ struct WebRequest {
 };
 
 struct WebAdmission {
-  unsigned status = 200;   // of HTTP; not 200: the request is refused
-  std::string_view place;  // what follows `/TOKEN/`, without a query
-  std::string_view why;    // a sentence for the person, if the request is refused
+  unsigned status = 200;     // of HTTP; not 200: the request is refused
+  std::string_view place{};  // what follows `/TOKEN/`, without a query
+  std::string_view why{};    // a sentence for the person, if the request is refused
 };
 
 // Says what a second page is told: one at a time drives the arm.

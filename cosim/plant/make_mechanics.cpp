@@ -29,7 +29,7 @@ class DynamicAxes final : public Mechanics {
   }
 
  private:
-  static constexpr int kStepsOfTick = static_cast<int>(kTickCycles.value() / kPlantStep.value());
+  static constexpr int kStepsOfTick = static_cast<int>(armature::kTickCycles.value() / kPlantStep.value());
 
   ServoArm arm_;
 };

@@ -37,20 +37,24 @@ Motion runge_kutta(const Motion& from, double h, Accel accel) {
 }
 
 // M(q) qdd = -bias(q, qd).
+// No heap, which this build forbids to Eigen.
+using BoundedMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kAxes, kAxes>;
+using BoundedVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kAxes, 1>;
+
 PerAxis<double> free_accel(ArmDynamics& arm, const Motion& at) {
   const auto joints = static_cast<Eigen::Index>(arm.joints());
   arm.set_posture(at.q);
   const JointMatrix elements = arm.mass_matrix();
   const PerAxis<double> bias = arm.bias(at.qd);
-  Eigen::MatrixXd matrix(joints, joints);
-  Eigen::VectorXd torques(joints);
+  BoundedMatrix matrix(joints, joints);
+  BoundedVector torques(joints);
   for (Eigen::Index i = 0; i < joints; ++i) {
     torques(i) = -bias[static_cast<std::size_t>(i)];
     for (Eigen::Index j = 0; j < joints; ++j) {
       matrix(i, j) = elements[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
     }
   }
-  const Eigen::VectorXd solved = matrix.ldlt().solve(torques);
+  const BoundedVector solved = matrix.ldlt().solve(torques);
   PerAxis<double> accel{};
   for (Eigen::Index i = 0; i < joints; ++i) accel[static_cast<std::size_t>(i)] = solved(i);
   return accel;
