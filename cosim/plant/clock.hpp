@@ -5,6 +5,7 @@
 
 #include "controller/base/timebase.hpp"
 #include "controller/base/units.hpp"
+#include "cosim/robot/motor_step.hpp"
 #include "cosim/time/never.hpp"
 
 namespace armature::cosim {
@@ -21,5 +22,6 @@ inline constexpr Cycles kPlantStep{250};
 }
 inline constexpr double kPlantStepSeconds =
     static_cast<double>(kPlantStep.value()) / static_cast<double>(kPlantClockHz);
+static_assert(kPlantStepSeconds == kMotorStepSeconds);
 
 }  // namespace armature::cosim

@@ -1,9 +1,9 @@
 #include "cosim/plant/make_mechanics.hpp"
 
 #include <cstddef>
-#include <numbers>
 #include <optional>
 
+#include "controller/base/angle_units.hpp"
 #include "cosim/plant/clock.hpp"
 #include "cosim/plant/independent_axes.hpp"
 #include "cosim/servo/arm_model.hpp"
@@ -25,7 +25,7 @@ class DynamicAxes final : public Mechanics {
   void keep() override { arm_.keep(); }
   void take_back() override { arm_.take_back(); }
   [[nodiscard]] std::optional<PerAxis<double>> load_lead_deg() const override {
-    return make_per_axis([&](std::size_t axis) { return arm_.twist_rad(axis) * (-180.0 / std::numbers::pi); });
+    return make_per_axis([&](std::size_t axis) { return arm_.twist_rad(axis) * -kDegPerRad; });
   }
 
  private:

@@ -2,12 +2,16 @@
 
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <stdexcept>
+
+#include "controller/base/angle_units.hpp"
+#include "cosim/robot/motor_step.hpp"
 
 namespace armature::cosim {
 namespace {
 
-constexpr double kServoTwoPi = 6.283185307179586476925;
+constexpr double kWholeTurn = 2.0 * std::numbers::pi;
 
 // exp(-x), x >= 0, in plain arithmetic, because std::exp does not promise the same bits everywhere: a Taylor series of
 // x / 1024, squared ten times. Within 1e-12 of the value, and 0 where it is smaller than 1e-13.
@@ -33,23 +37,23 @@ void set_axis(ServoNumbers& numbers, std::size_t i, const AxisSpec& axis) {
   const DynamicsSpec& spec = *axis.dynamics;
   const double h = numbers.step_s, ratio = std::fabs(axis.gear_ratio);
   const double counts = static_cast<double>(kCountsPerLine) * static_cast<double>(axis.encoder_lines);
-  const double natural = kServoTwoPi * drive.natural_hz;
+  const double natural = kWholeTurn * drive.natural_hz;
   const double inertia = spec.rotor_inertia_kg_m2 * ratio * ratio;
   const bool positive = ratio > 0 && counts > 0 && natural > 0 && drive.damping > 0 && drive.inertia_kg_m2 > 0 &&
                         inertia > 0 && drive.max_torque_nm > 0 && drive.max_speed_rpm > 0 && spec.current_hz > 0 &&
                         spec.stiffness_nm_rad > 0;
   if (!positive) throw std::invalid_argument{"servo: a parameter is not positive"};
 
-  numbers.rad_per_count[i] = kServoTwoPi / (counts * axis.gear_ratio);
+  numbers.rad_per_count[i] = kWholeTurn / (counts * axis.gear_ratio);
   numbers.lag_kept[i] = spec.smoothing_ms > 0 ? decay(h / (spec.smoothing_ms * 1e-3)) : 0.0;
   numbers.position_gain[i] = natural / (2.0 * drive.damping);
   numbers.feed_forward[i] = spec.feed_forward / h;
   numbers.unseen[i] = 0.5 * std::fabs(numbers.rad_per_count[i]);
-  numbers.max_speed[i] = drive.max_speed_rpm / 60.0 * kServoTwoPi / ratio;
+  numbers.max_speed[i] = drive.max_speed_rpm / 60.0 * kWholeTurn / ratio;
   numbers.torque_per_speed[i] = 2.0 * drive.damping * natural * drive.inertia_kg_m2 * ratio * ratio;
   numbers.integral_per_step[i] = spec.integral_ms > 0 ? h / (spec.integral_ms * 1e-3) : 0.0;
   numbers.max_torque[i] = drive.max_torque_nm * ratio;
-  numbers.current_per_step[i] = 1.0 - decay(kServoTwoPi * spec.current_hz * h);
+  numbers.current_per_step[i] = 1.0 - decay(kWholeTurn * spec.current_hz * h);
 
   numbers.speed_per_torque[i] = h / inertia;
   const double viscous = spec.viscous_nm_s * ratio * ratio, shorted = spec.dynamic_brake_nm_s * ratio * ratio;
@@ -60,13 +64,13 @@ void set_axis(ServoNumbers& numbers, std::size_t i, const AxisSpec& axis) {
   numbers.engage_steps[i] = whole_steps(spec.brake_engage_ms, h);
   numbers.release_steps[i] = whole_steps(spec.brake_release_ms, h);
 
-  numbers.half_play[i] = 0.5 * spec.backlash_deg * (kServoTwoPi / 360.0);
+  numbers.half_play[i] = 0.5 * spec.backlash_deg * kRadPerDeg;
   numbers.stiffness[i] = spec.stiffness_nm_rad;
   numbers.damping[i] = spec.gear_damping_nm_s;
   numbers.bearing[i] = spec.joint_viscous_nm_s;
 
   // The rotor alone, within the backlash, has the least inertia.
-  if (numbers.torque_per_speed[i] * numbers.speed_per_torque[i] > 0.5) {
+  if (numbers.torque_per_speed[i] * numbers.speed_per_torque[i] > kMaxSpeedLoopPerStep) {
     throw std::invalid_argument{"servo: the speed loop is too fast for the integration step"};
   }
 }

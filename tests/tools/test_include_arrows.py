@@ -190,6 +190,7 @@ PLANT = {
     "cosim/logic/axis_pairs.hpp",
     "cosim/logic/pins.hpp",
     "cosim/logic/whole_tick.hpp",
+    "cosim/robot/motor_step.hpp",
     "cosim/robot/robot_spec.hpp",
     "cosim/servo/",
     "cosim/time/never.hpp",

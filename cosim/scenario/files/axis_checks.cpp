@@ -13,6 +13,7 @@
 #include "controller/base/angle_units.hpp"
 #include "controller/base/timebase.hpp"
 #include "controller/regs/encoder_regs.hpp"
+#include "cosim/robot/motor_step.hpp"
 #include "cosim/scenario/toml/value_rule.hpp"
 #include "cosim/text/number_text.hpp"
 
@@ -133,12 +134,10 @@ std::optional<Failure> check_lag(const AxisSpec& axis) {
                                                          number_text(axis.following_error_deg)};
 }
 
-// The plant integrates the motor and its gear in steps of 5 us (cosim/servo). It refuses what is close to unstable.
-constexpr double kMotorStepS = 5e-6;
-
 std::optional<Failure> check_stiffness(const AxisSpec& axis) {
   if (!axis.dynamics) return std::nullopt;
-  const double most = 0.1 * axis.dynamics->rotor_inertia_kg_m2 * gear(axis) * gear(axis) / (kMotorStepS * kMotorStepS);
+  const double most =
+      0.1 * axis.dynamics->rotor_inertia_kg_m2 * gear(axis) * gear(axis) / (kMotorStepSeconds * kMotorStepSeconds);
   if (axis.dynamics->stiffness_nm_rad <= most) return std::nullopt;
   return Failure{axis.dynamics->stiffness_nm_rad / most,
                  "expected at most " + rounded(most) + " with this rotor and gear_ratio, for steps of 5 us, found " +
@@ -148,7 +147,7 @@ std::optional<Failure> check_stiffness(const AxisSpec& axis) {
 std::optional<Failure> check_speed_loop(const AxisSpec& axis) {
   if (!axis.dynamics) return std::nullopt;
   const double bandwidth = 2.0 * axis.drive.damping * 2.0 * std::numbers::pi * axis.drive.natural_hz;
-  const double most = 0.5 * axis.dynamics->rotor_inertia_kg_m2 / (bandwidth * kMotorStepS);
+  const double most = kMaxSpeedLoopPerStep * axis.dynamics->rotor_inertia_kg_m2 / (bandwidth * kMotorStepSeconds);
   if (axis.drive.inertia_kg_m2 <= most) return std::nullopt;
   return Failure{axis.drive.inertia_kg_m2 / most,
                  "expected at most " + number_text(most) + " for this rotor, natural_hz and damping, found " +

@@ -1,34 +1,21 @@
 #include "cosim/report/format/json/arm_json.hpp"
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
 #include "cosim/report/measure/path_error.hpp"
+#include "cosim/robot/dh_rows.hpp"
 
 namespace armature::cosim {
 namespace {
 
-// Denavit-Hartenberg parameters of a link; controller/robot/arm_geometry.hpp names the tables of the papers.
-struct LinkShape {
-  double alpha_deg = 0, a_mm = 0, d_mm = 0;
-};
-
-std::vector<LinkShape> link_shapes(const KinematicsSpec& arm) {
-  if (arm.family == kFiveRFamily) {
-    return {{-90, arm.a1_mm, 0}, {0, arm.a2_mm, 0}, {0, arm.a3_mm, 0}, {-90, arm.a4_mm, 0}, {0, 0, arm.d5_mm}};
-  }
-  return {{90, arm.a1_mm, arm.d1_mm}, {0, arm.a2_mm, 0}, {90, arm.a3_mm, 0},
-          {-90, 0, arm.d4_mm},        {90, 0, 0},        {0, 0, arm.d6_mm}};
-}
-
 Json links_json(const KinematicsSpec& arm) {
   Json links = Json::array();
-  const std::vector<LinkShape> shapes = link_shapes(arm);
-  for (std::size_t i = 0; i < shapes.size(); ++i) {
-    links.push_back({{"alpha_deg", shapes[i].alpha_deg},
-                     {"a_mm", shapes[i].a_mm},
-                     {"d_mm", shapes[i].d_mm},
+  const std::vector<DhRow> rows = dh_rows(arm);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    links.push_back({{"alpha_deg", 90.0 * rows[i].alpha_quarters},
+                     {"a_mm", rows[i].a_mm},
+                     {"d_mm", rows[i].d_mm},
                      {"sign", arm.sign[i]},
                      {"offset_deg", arm.offset_deg[i]}});
   }
