@@ -58,7 +58,8 @@ function(embed_page source)
   embed_parts(${source} embedded_page ${folder})
 endfunction()
 
-# The page of `armature live`: the style, the libraries and the arm of the report, and its own files.
+# The page of `armature live`: the style and the arm of the report, and its own files. The program takes the libraries of
+# the report.
 set(live_web ${PROJECT_SOURCE_DIR}/cosim/live/web)
 set(live_scripts
   ${page_web}/dom.js ${page_web}/colors.js ${page_web}/kinematics.js ${page_web}/arm.js)
@@ -70,8 +71,7 @@ function(embed_live_page source)
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/live_page)
   join_files(${folder}/page ${live_web}/live.html)
   join_files(${folder}/style ${dygraphs_js}/dygraph.min.css ${page_web}/page.css ${live_web}/live.css)
-  join_files(${folder}/libraries ${dygraphs_js}/dygraph.min.js ${three_js}/three.min.js
-    ${three_js}/examples/js/controls/OrbitControls.js)
+  join_files(${folder}/libraries)
   join_files(${folder}/scripts ${live_scripts})
   embed_parts(${source} embedded_live_page ${folder})
 endfunction()

@@ -12,7 +12,8 @@ struct EmbeddedPage {
   std::string_view scripts;    // JavaScript of web/
 };
 
-[[nodiscard]] EmbeddedPage embedded_page();       // the report
-[[nodiscard]] EmbeddedPage embedded_live_page();  // of `armature live`
+[[nodiscard]] EmbeddedPage embedded_page();  // the report
+// Of `armature live`. It has the libraries of the report, which are embedded once; its own are empty.
+[[nodiscard]] EmbeddedPage embedded_live_page();
 
 }  // namespace armature::cosim

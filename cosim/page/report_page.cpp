@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "cosim/page/embedded_files.hpp"
+#include "cosim/page/page_marks.hpp"
 #include "cosim/text/printable.hpp"
 #include "cosim/text/sha256.hpp"
 #include "cosim/text/xml_text.hpp"
@@ -26,13 +27,6 @@ std::string script_json(const nlohmann::ordered_json& data) {
   return safe;
 }
 
-// Copies the page up to the mark, then `text` in place of the mark. `rest` begins behind it.
-void fill(std::string& page, std::string_view& rest, std::string_view mark, std::string_view text) {
-  const std::size_t at = rest.find(mark);
-  page.append(rest.substr(0, at)).append(text);
-  rest.remove_prefix(at + mark.size());
-}
-
 }  // namespace
 
 ReportPage report_page(nlohmann::ordered_json data, const PageOptions& options) {
@@ -46,16 +40,13 @@ ReportPage report_page(nlohmann::ordered_json data, const PageOptions& options) 
   data["page"] = std::move(page_data);
   const EmbeddedPage parts = embedded_page();
   const std::string run = script_json(data);
-  std::string& page = result.text;
-  page.reserve(run.size() + parts.page.size() + parts.style.size() + parts.libraries.size() + parts.scripts.size());
-  std::string_view rest = parts.page;
-  fill(page, rest, "@SOURCES@", options.reloads ? " 'self' file:" : "");
-  fill(page, rest, "@TITLE@", xml_text(printable(data["summary"]["scenario"].get<std::string>())) + ": report");
-  fill(page, rest, "@STYLE@", parts.style);
-  fill(page, rest, "@RUN@", run);
-  fill(page, rest, "@LIBRARIES@", parts.libraries);
-  fill(page, rest, "@SCRIPTS@", parts.scripts);
-  page.append(rest);
+  const std::string title = xml_text(printable(data["summary"]["scenario"].get<std::string>())) + ": report";
+  result.text = with_marks(parts.page, {{"@SOURCES@", options.reloads ? " 'self' file:" : ""},
+                                        {"@TITLE@", title},
+                                        {"@STYLE@", parts.style},
+                                        {"@RUN@", run},
+                                        {"@LIBRARIES@", parts.libraries},
+                                        {"@SCRIPTS@", parts.scripts}});
   return result;
 }
 
