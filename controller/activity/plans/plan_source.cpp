@@ -57,7 +57,7 @@ void PlanSource::begin_plans(Ticks tick, const RunControl::View& control) noexce
   if (!in_motion_.active()) {
     continue_with_next();
     if (control.hold) return;
-    if (retarget_) in_motion_.begin(*retarget_);
+    if (retarget_) in_motion_.begin(retarget_->goal);
   }
   if (in_motion_.ready()) retarget(*std::exchange(retarget_, std::nullopt), tick);
   if (!in_motion_.active() && !control.hold && !under_way_) start_next_plan(control.share);
@@ -141,7 +141,7 @@ void PlanSource::retarget(const RetargetRequest& request, Ticks tick) noexcept {
   if (!started) ++plans_ended_;
   [[maybe_unused]] const bool pushed =
       loop_.answers.try_push({.kind = started ? Answer::Kind::kRetargeted : Answer::Kind::kNotRetargeted,
-                              .position = request.target,
+                              .position = request.goal.target,
                               .number = loop_.number});
   assert(pushed);  // never full, see Channel
   set_point_.wake = true;

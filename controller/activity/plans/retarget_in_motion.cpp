@@ -4,8 +4,8 @@ namespace armature {
 
 static_assert(RetargetPlanner::kParts == StepsAhead::kMost, "it is planned when the steps ahead are over");
 
-void RetargetInMotion::begin(const RetargetRequest& request) noexcept {
-  goal_ = {.target = request.target, .speed = request.speed, .accel = request.accel, .kind = request.kind};
+void RetargetInMotion::begin(const RetargetGoal& goal) noexcept {
+  goal_ = goal;
   phase_ = Phase::kLooksAhead;
 }
 

@@ -9,7 +9,6 @@
 
 #include <optional>
 
-#include "controller/activity/plans/retarget_request.hpp"
 #include "controller/activity/plans/steps_ahead.hpp"
 #include "controller/trajectory/joint/retarget_planner.hpp"
 #include "controller/trajectory/run/sampler.hpp"
@@ -22,7 +21,7 @@ class RetargetInMotion {
   RetargetInMotion(const RobotModel& robot, Sampler& sampler) noexcept : sampler_{sampler}, planner_{robot} {}
 
   // Once; then next() is called in each tick until ready().
-  void begin(const RetargetRequest& request) noexcept;
+  void begin(const RetargetGoal& goal) noexcept;
   // It begins in the state of motion of the sampler, in this tick; planned() is valid until the next begin().
   [[nodiscard]] bool ready() const noexcept { return phase_ == Phase::kPlans && planner_.done() && ahead_.empty(); }
   [[nodiscard]] const RetargetPlanner& planned() const noexcept { return planner_; }

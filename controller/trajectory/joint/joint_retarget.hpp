@@ -18,6 +18,13 @@
 
 namespace armature {
 
+struct RetargetGoal {
+  PerAxis<Radians> target{};
+  double speed = 1.0;  // these three as in plan_retarget()
+  double accel = 1.0;
+  ProfileKind kind = ProfileKind::kTrapezoid;
+};
+
 struct RetargetPlan {
   ProfileKind kind = ProfileKind::kTrapezoid;
   PerAxis<Radians> target{};

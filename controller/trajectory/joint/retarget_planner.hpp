@@ -13,13 +13,6 @@
 
 namespace armature {
 
-struct RetargetGoal {
-  PerAxis<Radians> target{};
-  double speed = 1.0;  // these three as in plan_retarget()
-  double accel = 1.0;
-  ProfileKind kind = ProfileKind::kTrapezoid;
-};
-
 class RetargetPlanner {
  public:
   // Of step().

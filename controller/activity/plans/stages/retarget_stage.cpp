@@ -17,11 +17,11 @@ std::optional<MoveRefused> RetargetStage::accept(const JointMove& move) noexcept
 
 void RetargetStage::send() noexcept {
   if (!next_ || waiting_ || !context_.owner.has(ActivityId::kPlans)) return;
-  context_.owner.feed(ActivityId::kPlans, RetargetRequest{.target = next_->target,
-                                                          .speed = next_->speed,
-                                                          .accel = next_->accel,
-                                                          .kind = next_->profile,
-                                                          .tag = next_->tag});
+  context_.owner.feed(
+      ActivityId::kPlans,
+      RetargetRequest{
+          .goal = {.target = next_->target, .speed = next_->speed, .accel = next_->accel, .kind = next_->profile},
+          .tag = next_->tag});
   outbox_.count_retarget();
   context_.queue.set_replaced_by(number_);
   next_.reset();

@@ -28,7 +28,7 @@ struct PlanSourceTest : testing::Test {
   const SetPoint& tick() { return source.advance(Ticks{ticks++}, channel.control.view()); }
   static Request request_to(const PerAxis<double>& target_deg, std::uint32_t tag) {
     Request request;
-    request.set(RetargetRequest{.target = test::degrees(target_deg), .tag = Tag{tag}});
+    request.set(RetargetRequest{.goal = {.target = test::degrees(target_deg)}, .tag = Tag{tag}});
     return request;
   }
 
