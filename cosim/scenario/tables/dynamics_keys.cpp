@@ -29,10 +29,10 @@ std::string check_inertia(const BodySpec& body, const KeyContext&) {
 const KeyTable<DynamicsSpec>& dynamics_keys() {
   static const KeyTable<DynamicsSpec> kTable{
       .text =
-          "What `plant = \"dynamic\"` needs of an axis beyond `drive`: the loops of the drive, the motor, its brakes "
-          "and "
-          "the gear. `natural_hz`, `damping` and `inertia_kg_m2` of the drive then set the gains of its loops: the "
-          "position gain is wn / (2 zeta), the speed loop has the bandwidth 2 zeta wn with that inertia.",
+          "The loops of the drive, the motor, its brakes and the gear, for `plant = \"dynamic\"`. The gains of the "
+          "loops "
+          "follow from `natural_hz` (wn), `damping` (zeta) and `inertia_kg_m2` of `drive`. The position gain is wn / "
+          "(2 zeta). The speed loop has the bandwidth 2 zeta wn with that inertia.",
       .keys = {
           key("rotor_inertia_kg_m2", &DynamicsSpec::rotor_inertia_kg_m2, above(0, 100, "kg m^2"),
               "Inertia of the motor and of what turns with it, at the motor.")
@@ -73,9 +73,7 @@ const KeyTable<BodySpec>& body_keys() {
   static const KeyTable<BodySpec> kTable{
       .text =
           "A rigid body of the arm, for `plant = \"dynamic\"`. There is one `[[link]]` for each joint, in the order of "
-          "the joints. Link i is given in frame i of the Denavit-Hartenberg rows of `[kinematics]`, which it carries "
-          "at "
-          "its far end.",
+          "the joints. Link i has the Denavit-Hartenberg frame i at its far end. Its numbers are in this frame.",
       .keys = {
           key("mass_kg", &BodySpec::mass_kg, above(0, 10'000, "kg"), "Mass.").required(),
           key("centre_mm", &BodySpec::centre_mm, between(-10'000, 10'000, "mm"), "Centre of mass.").required(),

@@ -120,8 +120,8 @@ const KeyTable<ExpectSpec>& expect_keys() {
                   "Tolerance of `final_load_deg`.")
                   .only(beside("final_load_deg")),
               key("lost_motion_deg", &ExpectSpec::lost_motion_deg, between(0, kMaxAngleDeg, "deg"),
-                  "By how much each joint moved relative to its motor in the run, likewise: play and twist of its "
-                  "gear.")
+                  "By how much each joint moved relative to its motor in the run, with `plant = \"dynamic\"`. This is "
+                  "the play and the twist of its gear.")
                   .checked(check_elastic),
               key("lost_motion_tolerance_deg", &ExpectSpec::lost_motion_tolerance_deg, between(0, kMaxAngleDeg, "deg"),
                   "Tolerance of `lost_motion_deg`.")

@@ -102,8 +102,8 @@ const KeyTable<CpuSpec>& cpu_keys() {
           key("plan_compute_cycles", &CpuSpec::plan_compute_cycles, between(0, kMaxCycles, "cycles"),
               "Time that core 1 needs to plan one move."),
           key("retarget_compute_cycles", &CpuSpec::retarget_compute_cycles, between(0, kMaxCycles, "cycles"),
-              "Time that a core needs to plan a joint motion that begins in motion: core 0 in each of the three ticks "
-              "over which it plans, core 1 for a corner between a path and a joint move."),
+              "Time that a core needs to plan a joint motion that begins in motion. Core 0 plans over three ticks and "
+              "needs this time in each. Core 1 needs it for a corner between a path and a joint move."),
           // At least one: planning without simulated time could keep the host busy between two cycles.
           key("inverse_compute_cycles", &CpuSpec::inverse_compute_cycles, between(1, kMaxCycles, "cycles"),
               "Time that core 1 needs for the inverse kinematics of one pose."),

@@ -119,11 +119,12 @@ const KeyTable<RobotSpec>& robot_keys() {
   static const std::string kPlantText = [] {
     const AxisSpec ideal = ideal_axis();
     return fmt::format(
-        "What is known of the gears, encoders and motors. `servo`: each axis is a system of second order that no other "
-        "one and no load moves. `dynamic`: loops of the drive, friction, brake, elastic gear and the rigid bodies of "
-        "the "
-        "arm, see `dynamics` and `[[link]]`. `ideal`: not all, because few makers publish "
-        "them. An axis then needs no `gear_ratio`, `pulses_per_rev` and `encoder_lines`. Their defaults are {}, {} and "
+        "How the drives, the gears and the arm behave. `servo`: each axis is a system of second order. No other axis "
+        "and "
+        "no load moves it. `dynamic`: the axes have the loops of their drives, friction, brakes and elastic gears, and "
+        "move the rigid bodies of the arm. See `dynamics` and `[[link]]`. `ideal`: the axes follow at once. Few makers "
+        "publish gears, encoders and motors. An axis then needs no `gear_ratio`, `pulses_per_rev` and `encoder_lines`. "
+        "Their defaults are {}, {} and "
         "{}, and those of the drive are `natural_hz` = {}, `max_speed_rpm` = {} and `max_torque_nm` = {}, which limit "
         "nothing.",
         number_text(ideal.gear_ratio), ideal.pulses_per_rev, ideal.encoder_lines, number_text(ideal.drive.natural_hz),
