@@ -3,6 +3,7 @@
 import csv
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -54,6 +55,22 @@ class Program(unittest.TestCase):
         names = [str(argument) for argument in arguments]
         chosen = any(name.startswith(("--engine", "--vcd", "--fst", "--help")) for name in names)
         return arguments if chosen or names[:1] != ["run"] else (*arguments, "--engine", self.engine)
+
+    def listening(self, first_line, *arguments):
+        """A program, killed at the end of the test, whose first line tells where it listens; and the match of this line."""
+        process = subprocess.Popen(
+            [self.path, *map(str, arguments)],
+            cwd=self.folder,
+            text=True,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+        )
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        line = process.stdout.readline()
+        found = re.match(first_line, line)
+        self.assertTrue(found, line or process.stderr.read())
+        return process, found
 
     def beside(self, *arguments, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL):
         """A program that runs beside the test, killed at its end if it still runs."""

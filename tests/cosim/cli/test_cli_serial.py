@@ -8,7 +8,6 @@ import re
 import shutil
 import signal
 import socket
-import subprocess
 
 from cli_program import SCENARIOS, Program, main
 
@@ -28,18 +27,7 @@ class Serial(Program):
 
     def start(self, *arguments):
         """A run that is under way, and the match of the line that tells where its serial line is."""
-        run = subprocess.Popen(
-            [self.path, "run", *map(str, arguments)],
-            cwd=self.folder,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
-            text=True,
-        )
-        self.addCleanup(run.communicate)
-        self.addCleanup(run.kill)
-        place = PLACE.match(run.stdout.readline())
-        self.assertIsNotNone(place)
-        return run, place
+        return self.listening(PLACE, "run", *arguments)
 
     def finish(self, run, code=0):
         stdout, stderr = run.communicate(timeout=120)

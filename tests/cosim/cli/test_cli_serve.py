@@ -24,18 +24,7 @@ class Serve(Program):
 
     def server(self, where, *more):
         """The process, with its token, and the address that it printed."""
-        process = subprocess.Popen(
-            [self.path, "serve", "--listen", where, *more],
-            cwd=self.folder,
-            text=True,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
-        )
-        self.addCleanup(process.communicate)
-        self.addCleanup(process.kill)
-        line = process.stdout.readline()
-        found = re.fullmatch(r"listening on (\S+)\n", line)
-        self.assertTrue(found, line or process.stderr.read())
+        process, found = self.listening(r"listening on (\S+)\n$", "serve", "--listen", where, *more)
         address = found.group(1)
         process.token = None
         if not address.startswith("tcp:"):

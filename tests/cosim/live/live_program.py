@@ -3,7 +3,6 @@
 import pathlib
 import re
 import signal
-import subprocess
 import sys
 import unittest
 
@@ -13,26 +12,15 @@ sys.path[:0] = [str(TESTS / "cli"), str(TESTS / "page")]
 import browser  # noqa: E402
 from cli_program import Program, main  # noqa: E402, F401
 
-ADDRESS = re.compile(r"http://127\.0\.0\.1:(\d+)/([0-9a-f]{32})/\n")
+ADDRESS = re.compile(r"http://127\.0\.0\.1:(\d+)/([0-9a-f]{32})/\n$")
 READY = "document.body && document.body.dataset.ready === 'yes'"
 
 
 class LiveProgram(Program):
     def live(self, scenario, *options):
         """The process, with its address, port and token."""
-        process = subprocess.Popen(
-            [self.path, "live", scenario, "--out", "live", *map(str, options)],
-            cwd=self.folder,
-            text=True,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
-        )
-        self.addCleanup(process.communicate)
-        self.addCleanup(process.kill)
-        line = process.stdout.readline()
-        found = ADDRESS.fullmatch(line)
-        self.assertTrue(found, line or process.stderr.read())
-        process.address, process.port, process.token = line.strip(), int(found[1]), found[2]
+        process, found = self.listening(ADDRESS, "live", scenario, "--out", "live", *options)
+        process.address, process.port, process.token = found[0].strip(), int(found[1]), found[2]
         return process
 
     def end(self, process):

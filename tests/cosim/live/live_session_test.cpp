@@ -84,26 +84,24 @@ TEST(LiveSession, AfterTheOperatorWasAwayAHeldKeyMustBeReleasedFirst) {
   EXPECT_GT(page.joint(2), deg + 0.5);
 }
 
-TEST(LiveSession, AProgramIsHeldWithoutAPage) {
-  LivePage page{live_scenario_of("job_pick_and_place", "extended")};
+// The state in which a program ends without a page.
+json state_of_program_without_a_page(const std::string& profile) {
+  LivePage page{live_scenario_of("job_pick_and_place", profile)};
   page.switch_on();
   page.ask(R"({"do":"run","mode":0,"line":0})");
   page.pass(600);
-  ASSERT_EQ(page.state()["state"], "run") << page.state();
+  EXPECT_EQ(page.state()["state"], "run") << page.state();
   page.alive = false;
   page.pass(2'500);
-  EXPECT_EQ(page.state()["state"], "hold");
+  return page.state()["state"];
+}
+
+TEST(LiveSession, AProgramIsHeldWithoutAPage) {
+  EXPECT_EQ(state_of_program_without_a_page("extended"), "hold");
 }
 
 TEST(LiveSession, WithTheStrictProfileOnlyTheEmergencyStopEndsAProgram) {
-  LivePage page{live_scenario_of("job_pick_and_place", "strict")};
-  page.switch_on();
-  page.ask(R"({"do":"run","mode":0,"line":0})");
-  page.pass(600);
-  ASSERT_EQ(page.state()["state"], "run") << page.state();
-  page.alive = false;
-  page.pass(2'500);
-  EXPECT_EQ(page.state()["state"], "estop");
+  EXPECT_EQ(state_of_program_without_a_page("strict"), "estop");
 }
 
 TEST(LiveSession, MovesToTheAnglesThatItWasGiven) {
