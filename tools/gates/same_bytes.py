@@ -53,7 +53,7 @@ def same_bytes(gcc: Path, test: Path, sanitized: Path) -> Outcome:
     `scenarios`. No optimisation and sanitizers: the beginnings are equal. The tests replay.* compare the model with
     another simulator."""
     goldens = [file.parent for file in sorted((ROOT / "scenarios").glob("*/golden.csv"))]
-    check = [gcc / "armature", "check", "--jobs", "1"]
+    check = [gcc / "armature", "check"]
     runs = [
         lambda: _run([*check, "--engine", "model", *goldens], 0),
         lambda: _run([*check, *(ROOT / "scenarios" / name for name in ON_RTL)], 0),

@@ -82,8 +82,7 @@ std::string solutions_table(const IkSolutions& solutions, const JointAngles& pre
   return text;
 }
 
-nlohmann::ordered_json solutions_json(const IkSolutions& solutions, const JointAngles& previous,
-                                      const ArmOfFile& robot) {
+Json solutions_json(const IkSolutions& solutions, const JointAngles& previous, const ArmOfFile& robot) {
   Json json = {{"robot", robot.spec.name},
                {"selected", solutions.selected >= 0 ? Json(solutions.selected) : Json(nullptr)},
                {"no_solution", solutions.count == 0 ? Json(no_solution_text(solutions)) : Json(nullptr)},
