@@ -29,10 +29,10 @@ struct MemoryPiece {
 
 class ArmCore {
  public:
-  // `charge`: the address of the function of the firmware whose calls are charged. `cpi`: clocks for each instruction;
-  // none: instructions are neither charged nor counted. `watcher`: hears of each instruction that is executed in
-  // simulated time, and must outlive the core; null: nobody does, and no instruction takes longer. Throws
-  // std::runtime_error, as the others, when the engine fails.
+  // `charge`: the address of the function of the firmware whose calls are charged. `cpi`: clocks for each instruction,
+  // in ARM state, counted by straight runs of code when they begin; none: instructions are neither charged nor counted.
+  // `watcher`: hears of each instruction that is executed in simulated time, and must outlive the core; null: nobody
+  // does, and no instruction takes longer. Throws std::runtime_error, as the others, when the engine fails.
   ArmCore(int number, std::uint32_t charge, std::optional<double> cpi = std::nullopt, CoreWatcher* watcher = nullptr);
   ArmCore(const ArmCore&) = delete;
   ArmCore& operator=(const ArmCore&) = delete;
@@ -76,12 +76,12 @@ class ArmCore {
   static std::uint64_t read_mpcore(uc_engine*, std::uint64_t offset, unsigned, void* self);
   static void write_mpcore(uc_engine*, std::uint64_t offset, unsigned, std::uint64_t value, void* self);
   static void on_charge(uc_engine*, std::uint64_t address, std::uint32_t size, void* self);
-  static void on_instruction(uc_engine*, std::uint64_t address, std::uint32_t size, void* time);
+  static void on_block(uc_engine*, std::uint64_t address, std::uint32_t bytes, void* time);
   static void on_watched(uc_engine*, std::uint64_t address, std::uint32_t size, void* self);
   static void on_data(uc_engine*, uc_mem_type type, std::uint64_t address, int size, std::int64_t value, void* self);
 
-  void add_hook(void (*function)(uc_engine*, std::uint64_t, std::uint32_t, void*), void* data, std::uint32_t first,
-                std::uint32_t last);
+  void add_hook(uc_hook_type kind, void (*function)(uc_engine*, std::uint64_t, std::uint32_t, void*), void* data,
+                std::uint32_t first, std::uint32_t last);
   void pass_time();
 
   void check(uc_err error, const char* what) const;

@@ -14,7 +14,7 @@ class InstructionTime {
   // `cpi`: clocks of the core for each instruction, kept in thousandths.
   explicit InstructionTime(double cpi) : milli_cpi_{std::llround(cpi * 1000)} {}
 
-  void count() { ++instructions_; }
+  void count(std::uint32_t instructions) { instructions_ += instructions; }
   [[nodiscard]] std::int64_t instructions() const { return instructions_; }
   // Begins again: nothing is counted, nothing is due.
   void reset() { instructions_ = taken_ = 0; }

@@ -11,7 +11,7 @@ TEST(InstructionTime, LosesNoPartOfACycle) {
   InstructionTime time{1.5};
   std::int64_t cycles = 0;
   for (int i = 1; i <= 20'000; ++i) {
-    time.count();
+    time.count(1);
     if (i % 7 == 0) cycles += time.take().value();
   }
   cycles += time.take().value();
@@ -22,11 +22,11 @@ TEST(InstructionTime, LosesNoPartOfACycle) {
 
 TEST(InstructionTime, BeginsAgain) {
   InstructionTime time{100};
-  for (int i = 0; i < 9; ++i) time.count();
+  for (int i = 0; i < 9; ++i) time.count(1);
   EXPECT_EQ(time.take(), Cycles{67});
   time.reset();
   EXPECT_EQ(time.take(), Cycles{0});
-  time.count();
+  time.count(1);
   EXPECT_EQ(time.take(), Cycles{7});
   EXPECT_EQ(time.instructions(), 1);
 }
