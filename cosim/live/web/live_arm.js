@@ -3,7 +3,6 @@
 const kTrailPoints = 900;
 const kShadowColor = 0xe16f24;
 const kGhostColor = 0x8c959f;
-const dark = window.matchMedia('(prefers-color-scheme: dark)');
 
 class LiveArm extends ArmView {
   constructor(parent, arm) {
@@ -13,20 +12,6 @@ class LiveArm extends ArmView {
     this.count = arm.axes.length;
     this.shadow = new ShadowArm(this, kShadowColor, 0.45);
     this.ghosts = [];
-    this.showColors();
-    dark.addEventListener('change', () => this.showColors());
-  }
-
-  showColors() {
-    this.renderer.setClearColor(dark.matches ? 0x161b22 : 0xf6f8fa);
-    this.floor.material.opacity = dark.matches ? 0.25 : 1;
-    this.floor.material.transparent = true;
-    this.render();
-  }
-
-  addSurroundings() {
-    super.addSurroundings();
-    this.floor = this.scene.children.find((child) => child instanceof THREE.GridHelper);
   }
 
   addPaths() {

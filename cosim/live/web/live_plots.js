@@ -36,7 +36,7 @@ class LivePlots {
       highlightCircleSize: 0,
       interactionModel: {},
       includeZero: true,
-      gridLineColor: dark.matches ? '#30363d' : '#e6e8eb',
+      gridLineColor: pageColor('--grid'),
       axisLineColor: '#8c959f',
       axes: {
         x: { axisLabelFormatter: (time) => `${Number(time.toPrecision(8))} s`, axisLabelWidth: 70, pixelsPerLabel: 90 },

@@ -3,12 +3,12 @@
 const kMmPerUnit = 1000;
 const kMaxPathPoints = 20000;
 
-// The tool path of one side as points for a line, with the row of each point.
+// The tool path of one side of run.tool as points for a line.
 function toolPath(run, side) {
   const step = Math.max(1, Math.ceil(run.time.length / kMaxPathPoints));
   const points = [];
   for (let row = 0; row < run.time.length; row += step) {
-    points.push(new THREE.Vector3(...run.kinematics.toolPoint(run.jointsAt(side, row))).divideScalar(kMmPerUnit));
+    points.push(new THREE.Vector3(...side.map((values) => values[row])).divideScalar(kMmPerUnit));
   }
   return points;
 }
@@ -29,12 +29,12 @@ class ArmView {
       return;
     }
     this.renderer.setPixelRatio(window.devicePixelRatio || 1);
-    this.renderer.setClearColor(0xf6f8fa);
     this.box.appendChild(this.renderer.domElement);
     this.scene = new THREE.Scene();
     this.camera = new THREE.PerspectiveCamera(35, 1, 0.01, 50);
     this.camera.up.set(0, 0, 1);
     this.addSurroundings();
+    this.showColors();
     this.addPaths();
     this.addArm();
     this.controls = new THREE.OrbitControls(this.camera, this.renderer.domElement);
@@ -42,19 +42,29 @@ class ArmView {
     this.addButtons();
     this.lookAtArm();
     timeline.listen((change) => change === 'time' && this.pose());
+    darkRoom.addEventListener('change', () => {
+      this.showColors();
+      this.render();
+    });
     new ResizeObserver(() => this.resize()).observe(this.box);
     this.resize();
   }
 
   addSurroundings() {
-    const floor = new THREE.GridHelper(2, 20, 0x8c959f, 0xd0d7de);
-    floor.rotation.x = Math.PI / 2;
-    this.scene.add(floor);
+    this.floor = new THREE.GridHelper(2, 20, 0x8c959f, 0xd0d7de);
+    this.floor.rotation.x = Math.PI / 2;
+    this.floor.material.transparent = true;
+    this.scene.add(this.floor);
     this.scene.add(new THREE.AxesHelper(0.15));
     this.scene.add(new THREE.HemisphereLight(0xffffff, 0x8c959f, 0.9));
     const sun = new THREE.DirectionalLight(0xffffff, 0.6);
     sun.position.set(1, -1, 2);
     this.scene.add(sun);
+  }
+
+  showColors() {
+    this.renderer.setClearColor(pageColor('--box'));
+    this.floor.material.opacity = darkRoom.matches ? 0.25 : 1;
   }
 
   addPaths() {
@@ -64,7 +74,7 @@ class ArmView {
       geometry.computeBoundingBox();
       return geometry.boundingBox;
     };
-    this.bounds = line(this.run.reference, 0xe16f24).union(line(this.run.encoder, 0x0969da));
+    this.bounds = line(this.run.tool.reference, 0xe16f24).union(line(this.run.tool.encoder, 0x0969da));
     this.drawn = this.drawnBounds();
     const legend = element(this.box, 'div', 'legend');
     for (const [name, color] of [['set-points', '#e16f24'], ['encoders', '#0969da']]) {

@@ -16,6 +16,7 @@ function showHeader(parent, run) {
   fact('robot', summary.robot);
   fact('outcome', result.outcome);
   fact('golden', result.golden_text || result.golden);
+  if (run.other) fact('compared with', run.other.name);
   fact('simulated', `${result.simulated_s.toFixed(6)} s, ${result.ticks} ticks`);
   fact('variant, engine', `${summary.variant}, ${summary.engine}`);
   fact('worst tick', `${result.worst_tick_cycles} of ${result.tick_cycles} cycles`);
@@ -24,5 +25,30 @@ function showHeader(parent, run) {
   if (summary.overrides.length > 0) fact('--set', summary.overrides.join(' '));
   fact('armature', summary.tool_version);
   fact('sha256', result.sha256);
-  if (result.failure) element(parent, 'p', 'failure').textContent = result.failure;
+  const reason = failureOf(run);
+  if (reason) element(parent, 'p', 'failure').textContent = reason;
 }
+
+// Why the run failed: the error that ended it, or the first difference from the golden, or the expectations that it
+// missed. Empty if it passed.
+function failureOf(run) {
+  const { result } = run.summary;
+  if (result.passed) return '';
+  if (result.failure) return result.failure;
+  const missed = (result.expectations || []).filter(({ met }) => !met);
+  const reasons = missed.slice(0, kMaxReasons).map(({ key, expected, got }) => `${key}: expected ${expected}, got ${got}`);
+  if (missed.length > kMaxReasons) reasons.push(`and ${missed.length - kMaxReasons} more`);
+  if (result.golden === 'differs') reasons.unshift(result.golden_text, ...firstDifference(run));
+  return reasons.join('; ');
+}
+
+function firstDifference({ other, tick }) {
+  if (!other || !other.differs) return [];
+  const differs = (counts) => counts !== 0 && !Number.isNaN(counts);
+  const rows = other.deviation.map((values) => values.findIndex(differs));
+  const row = Math.min(...rows.filter((found) => found >= 0));
+  const joint = rows.indexOf(row);
+  return [`J${joint + 1} deviates by ${other.deviation[joint][row]} counts in tick ${tick[row]}`];
+}
+
+const kMaxReasons = 3;

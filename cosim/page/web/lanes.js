@@ -1,4 +1,4 @@
-// What happened when: a lane for each kind of event, below the plots and with their time scale.
+// What happened when: a lane for each kind of event, above the plots and with their time scale.
 
 const cycleTime = (cycle) => cycle * kCycleSeconds;
 
@@ -12,11 +12,14 @@ function stateItems(run) {
 }
 
 function moveItems(run) {
+  const { faults } = run.summary.result;
   const moves = run.summary.result.moves.map((move) => {
     const ticks = move.taken_ticks === null ? move.duration_ticks : move.taken_ticks;
+    const fault = move.taken_ticks === null && faults.find(({ tick }) => tick >= move.start_tick);
+    const planned = run.timeOfTick(move.start_tick + ticks);
     return {
       from: run.timeOfTick(move.start_tick),
-      to: run.timeOfTick(move.start_tick + ticks),
+      to: fault ? Math.min(planned, cycleTime(fault.cycle)) : planned,
       label: `${commandName(move)}: ${move.kind}`,
       color: move.taken_ticks === null ? '#ffb77c' : '#7ee0a3',
       detail: `${move.command} ${move.kind}, ${ticks} ticks` + (move.taken_ticks === null ? ', not finished' : ''),
@@ -92,6 +95,7 @@ class Lanes {
     this.canvas.addEventListener('mousemove', (event) => this.showTip(event));
     this.canvas.addEventListener('mouseleave', () => (this.tip.hidden = true));
     this.canvas.addEventListener('click', (event) => timeline.setTime(this.timeAt(event.offsetX)));
+    this.canvas.addEventListener('wheel', (event) => zoomByWheel(event, timeline, this.timeAt(event.offsetX)));
     timeline.listen((change) => (change === 'window' ? this.draw() : this.placeCursor()));
     new ResizeObserver(() => this.draw()).observe(this.box);
     this.draw();
@@ -123,41 +127,47 @@ class Lanes {
     this.drawn = [];
     this.lanes.forEach(([name, items], lane) => {
       const y = lane * kLaneHeight;
-      canvas.fillStyle = lane % 2 ? '#ffffff' : '#f6f8fa';
+      canvas.fillStyle = pageColor(lane % 2 ? '--ground' : '--box');
       canvas.fillRect(kPlotLeft, y, this.width, kLaneHeight);
-      canvas.fillStyle = '#1f2328';
+      canvas.fillStyle = pageColor('--text');
       canvas.textAlign = 'right';
       canvas.fillText(name, kPlotLeft - 8, y + kLaneHeight / 2);
       canvas.save();
       canvas.beginPath();
       canvas.rect(kPlotLeft, y, this.width, kLaneHeight);
       canvas.clip();
-      for (const item of items) this.drawItem(canvas, item, y);
+      const shown = this.shownItems(items);
+      const begins = shown.map((item) => this.pixel(item.from));
+      shown.forEach((item, i) => this.drawItem(canvas, item, y, begins[i + 1] || Infinity));
       canvas.restore();
     });
     this.placeCursor();
   }
 
-  drawItem(canvas, item, y) {
+  // In the order of their times.
+  shownItems(items) {
     const [from, to] = this.timeline.window;
-    if (item.from > to || (item.to === undefined ? item.from : item.to) < from) return;
+    const shown = items.filter((item) => item.from <= to && (item.to === undefined ? item.from : item.to) >= from);
+    return shown.sort((one, other) => one.from - other.from);
+  }
+
+  // A label ends before `next`, where the next item begins.
+  drawItem(canvas, item, y, next) {
     const left = this.pixel(item.from);
     const right = item.to === undefined ? left + 3 : Math.max(this.pixel(item.to), left + 2);
     canvas.fillStyle = item.color;
     canvas.fillRect(left, y + 3, right - left - 1, kLaneHeight - 6);
     const textWidth = canvas.measureText(item.label).width;
     const begin = Math.max(left, kPlotLeft);
-    canvas.fillStyle = '#1f2328';
     canvas.textAlign = 'left';
-    if (item.to === undefined) {
-      const before = this.drawn[this.drawn.length - 1];
-      const free = !before || before.y !== y || left > before.textEnd + 4;
-      if (free) canvas.fillText(item.label, left + 6, y + kLaneHeight / 2);
-      this.drawn.push({ item, y, left: left - 3, right: right + 3, textEnd: left + 6 + textWidth });
-    } else {
-      if (textWidth + 8 < right - begin) canvas.fillText(item.label, begin + 4, y + kLaneHeight / 2);
-      this.drawn.push({ item, y, left, right, textEnd: right });
-    }
+    const isMoment = item.to === undefined;
+    const onBar = !isMoment || this.drawn.some((bar) => bar.y === y && bar.item.to !== undefined && bar.right > left);
+    canvas.fillStyle = onBar ? kBarTextColor : pageColor('--text');
+    const [place, end] = isMoment ? [left + 6, next - 2] : [begin + 4, Math.min(right, next) - 4];
+    const labelled = place + textWidth < end;
+    if (labelled) canvas.fillText(item.label, place, y + kLaneHeight / 2);
+    const margin = isMoment ? 3 : 0;
+    this.drawn.push({ item, y, left: left - margin, right: right + margin, labelled });
   }
 
   showTip(event) {
@@ -182,6 +192,7 @@ class Lanes {
   }
 }
 
+const kBarTextColor = '#1f2328';  // bars are light, in a dark room too
 const kLaneHeight = 24;
 const kLaneFoot = 4;
 // The edges of a plot: dygraphs' own spaces beside its numbers and at its right.

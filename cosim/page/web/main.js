@@ -6,11 +6,14 @@ function showReport() {
   const place = (id) => document.getElementById(id);
   showHeader(place('head'), run);
   new TimeBar(place('bar'), run, timeline, selection);
-  const plots = plotList(run).map((what) => new Plot(place('plots'), what, run, timeline, selection));
   const lanes = new Lanes(place('plots'), run, timeline);
+  showMarks(place('plots'), run);
+  const plots = plotList(run).map((what) => new Plot(place('plots'), what, run, timeline, selection));
   const arm = new ArmView(place('side'), run, timeline);
   showExpectations(place('side'), run);
   showMoves(place('side'), run, timeline);
+  followKeys(run, timeline);
+  darkRoom.addEventListener('change', () => timeline.tell('window'));
   followAddress(timeline, location.hash, run.page.shown);
   if (run.page.digest) watchReport(place('head'), run.page, timeline);
   document.body.dataset.ready = 'yes';

@@ -1,8 +1,8 @@
 // Curves over time, drawn by dygraphs. All plots show the same part of the run and the same time.
 
 // What a plot shows: a unit, a function that returns a curve for each joint or one curve, and optionally a second kind
-// of curves (dashed), limits of each joint, how far rounding may move a value, and a note above the curves. The rows of
-// another run (`dotted`, and the curves of a plot with `ofOther`) are joined across the rows that it does not have.
+// of curves (dashed), limits of each joint, how far rounding may move a value, whether a step of the set-points is
+// left out, and a note above the curves. The rows of another run (`dotted`, and the curves of a plot with `ofOther`) are joined across the rows that it does not have.
 function plotList(run) {
   const limits = (low, high) => (run.axes ? run.axes.map((axis) => [low(axis), high(axis)]) : null);
   const both = (key) => limits((axis) => (axis[key] === null ? null : -axis[key]), (axis) => axis[key]);
@@ -11,18 +11,19 @@ function plotList(run) {
       id: 'position', title: 'Position', unit: 'deg', curves: run.reference, dashed: run.encoder,
       dotted: run.other && run.other.encoder, limits: limits((axis) => axis.min_deg, (axis) => axis.max_deg),
     },
-    { id: 'speed', title: 'Speed', unit: 'deg/s', curves: run.speed, limits: both('max_speed_deg_s') },
+    { id: 'speed', title: 'Speed', unit: 'deg/s', curves: run.speed, limits: both('max_speed_deg_s'), steps: true },
     {
       id: 'acceleration', title: 'Acceleration', unit: 'deg/s²', curves: run.acceleration,
-      limits: both('max_accel_deg_s2'), rounding: run.accelerationRounding,
+      limits: both('max_accel_deg_s2'), rounding: run.accelerationRounding, steps: true,
     },
-    { id: 'jerk', title: 'Jerk', unit: 'deg/s³', curves: run.jerk, limits: null },
+    { id: 'jerk', title: 'Jerk', unit: 'deg/s³', curves: run.jerk, limits: null, steps: true },
     {
       id: 'following', title: 'Following error', unit: 'deg', curves: run.following,
       limits: both('following_error_deg'),
     },
     { id: 'pulses', title: 'Pulses per tick', unit: 'pulses', curves: run.pulsesPerTick, limits: null },
   ];
+  if (run.tool) list.push(...toolPlots(run));
   if (run.load) {
     const names = ['core 0', 'core 1'];
     // Core 0 must sleep when the tick ends: it is woken a cycle after the trigger. Core 1 may compute all the time.
@@ -39,13 +40,26 @@ function plotList(run) {
       names: ['encoders'], limits: null, note: pathErrorNote(error),
     });
   }
-  if (run.other) {
+  if (run.other && run.other.differs) {
     list.push({
       id: 'deviation', title: `Deviation from ${run.other.name}`, unit: 'counts', curves: run.other.deviation,
       ofOther: true, limits: null,
     });
   }
   return list;
+}
+
+function toolPlots(run) {
+  return [
+    {
+      id: 'tool', title: 'Tool', unit: 'mm', curves: run.tool.reference, dashed: run.tool.encoder,
+      names: ['x', 'y', 'z'], limits: null,
+    },
+    {
+      id: 'tool-speed', title: 'Tool speed', unit: 'mm/s', curves: [run.toolSpeed], names: ['set-points'],
+      limits: null, steps: true,
+    },
+  ];
 }
 
 class Plot {
@@ -56,7 +70,8 @@ class Plot {
     const head = element(this.box, 'header');
     element(head, 'h3').textContent = `${what.title} [${what.unit}]`;
     this.readout = element(head, 'div', 'readout');
-    if (what.note) element(this.box, 'p', 'note').textContent = what.note;
+    const notes = [what.note, what.steps && run.steps.length > 0 && kStepNote].filter(Boolean);
+    if (notes.length > 0) element(this.box, 'p', 'note').textContent = notes.join(' ');
     this.area = element(this.box, 'div', 'area');
     this.series = [];
     this.styles = {};
@@ -68,6 +83,7 @@ class Plot {
     this.cursor = element(this.area, 'div', 'cursor');
     this.selection.listen(() => this.show());
     timeline.listen((change) => (change === 'window' ? this.show() : this.placeCursor()));
+    this.area.addEventListener('wheel', (event) => zoomByWheel(event, timeline, this.graph.toDataXCoord(event.offsetX)));
     this.show();
   }
 
@@ -123,23 +139,32 @@ class Plot {
       xRangePad: 0,
       dateWindow: this.timeline.window.slice(),
       highlightCircleSize: 0,
-      gridLineColor: '#e6e8eb',
-      axisLineColor: '#8c959f',
+      ...this.colors(),
       axes: {
-        x: { axisLabelFormatter: (time) => `${Number(time.toPrecision(10))}`, axisLabelWidth: 70 },
+        x: { axisLabelFormatter: (time) => `${Number(time.toPrecision(10))} s`, axisLabelWidth: 70 },
         y: { axisLabelWidth: kPlotMargin, axisLabelFormatter: (value) => axisText(value) },
       },
-      underlayCallback: (canvas, area, graph) => this.drawLimits(canvas, area, graph),
+      underlayCallback: (canvas, area, graph) => {
+        this.drawLimits(canvas, area, graph);
+        if (this.what.steps) this.drawSteps(canvas, area, graph);
+      },
       drawCallback: (graph, initial) => {
         if (!initial && !this.updating) this.timeline.setWindow(...graph.xAxisRange());
       },
       clickCallback: (event, time) => this.timeline.setTime(time),
+      highlightCallback: (event, time) => this.timeline.pointAt(time),
+      unhighlightCallback: () => this.timeline.pointAt(null),
     };
+  }
+
+  colors() {
+    return { gridLineColor: pageColor('--grid'), axisLineColor: pageColor('--soft') };
   }
 
   show() {
     this.updating = true;
     this.graph.updateOptions({
+      ...this.colors(),
       file: this.rows(),
       dateWindow: this.timeline.window.slice(),
       visibility: this.series.map(({ joint }) => this.shown(joint)),
@@ -154,6 +179,7 @@ class Plot {
     if (!limits) return;
     const shown = limits.filter(([low, high], joint) => this.shown(joint) && low !== null && high !== null);
     if (shown.length === 0) return;
+    this.drawLimitsOfJoints(canvas, area, graph);
     const top = graph.toDomYCoord(Math.max(...shown.map(([, high]) => high)));
     const bottom = graph.toDomYCoord(Math.min(...shown.map(([low]) => low)));
     canvas.fillStyle = kLimitColor;
@@ -170,6 +196,36 @@ class Plot {
     });
   }
 
+  // A thin line at each limit, in the colour of the joint.
+  drawLimitsOfJoints(canvas, area, graph) {
+    canvas.save();
+    canvas.setLineDash([6, 6]);
+    canvas.globalAlpha = 0.6;
+    this.what.limits.forEach((range, joint) => {
+      if (!this.shown(joint)) return;
+      canvas.strokeStyle = kJointColors[joint];
+      for (const limit of range) {
+        if (limit === null) continue;
+        const y = graph.toDomYCoord(limit);
+        if (y < area.y || y > area.y + area.h) continue;
+        canvas.beginPath();
+        canvas.moveTo(area.x, y);
+        canvas.lineTo(area.x + area.w, y);
+        canvas.stroke();
+      }
+    });
+    canvas.restore();
+  }
+
+  drawSteps(canvas, area, graph) {
+    const [from, to] = this.timeline.window;
+    canvas.fillStyle = kStepColor;
+    for (const row of this.run.steps) {
+      const time = this.run.time[row];
+      if (time >= from && time <= to) canvas.fillRect(graph.toDomXCoord(time) - 1, area.y, 2, area.h);
+    }
+  }
+
   isBeyond(joint, row) {
     const { limits, curves, rounding } = this.what;
     const [low, high] = limits[joint];
@@ -180,12 +236,13 @@ class Plot {
   }
 
   placeCursor() {
-    const { time } = this.timeline;
+    const { time, pointed } = this.timeline;
     const [from, to] = this.timeline.window;
     this.cursor.hidden = time < from || time > to;
     this.cursor.style.left = `${this.graph.toDomXCoord(time)}px`;
-    const row = this.run.rowAt(time);
+    const row = this.run.rowAt(pointed === null ? time : pointed);
     this.readout.replaceChildren();
+    if (pointed !== null) element(this.readout, 'span', 'pointed').textContent = secondsText(this.run.time[row]);
     this.what.curves.forEach((values, joint) => {
       if (!this.shown(joint)) return;
       const value = element(this.readout, 'span');
@@ -197,7 +254,8 @@ class Plot {
 
 const kJoined = { connectSeparatedPoints: true };  // null joins, NaN is a gap
 const kDotted = { strokePattern: [1, 3], strokeWidth: 2, color: '#57606a' };
-const kPlotMargin = 70;  // of the numbers beside a plot [px]
+const kStepNote = 'Grey line: a fault begins or ends, and the set-points step. No derivative of a step is shown.';
+const kPlotMargin = 84;  // of the numbers beside a plot [px], as in page.css
 const kLimitHair = 1e-4;  // of the range: the peaks of derivatives of rounded values
 
 // Without an exponent, and with a space between thousands at which no line ends.

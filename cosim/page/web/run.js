@@ -31,6 +31,24 @@ function derivative(values, time, order) {
   return result;
 }
 
+// The rows at which the set-points step: at a fault they stop at once, and after it they begin again where the arm is.
+function stepRows(states) {
+  const changes = states.filter(({ state }, i) => i > 0 && (state === 'fault' || states[i - 1].state === 'fault'));
+  return changes.map(({ row }) => row);
+}
+
+// Without the derivatives over a step, which may be one row earlier or later than the state.
+function withoutSteps(values, steps) {
+  for (const step of steps) values.fill(NaN, Math.max(step - 3, 0), step + 3);
+  return values;
+}
+
+// Speed of a point in three coordinates.
+function pointSpeed(points, time, steps) {
+  const [x, y, z] = points.map((values) => derivative(values, time, 1));
+  return withoutSteps(x.map((speed, row) => Math.hypot(speed, y[row], z[row])), steps);
+}
+
 class Run {
   // `data`: what cosim/page/run_data.cpp writes.
   constructor(data) {
@@ -51,10 +69,13 @@ class Run {
     this.encoder = this.ofJoints('enc_deg');
     this.counts = this.ofJoints('enc_counts');
     this.pinPulses = this.ofJoints('pin_pulses');
-    this.speed = this.reference.map((values) => derivative(values, this.time, 1));
-    this.acceleration = this.reference.map((values) => derivative(values, this.time, 2));
+    this.steps = stepRows(this.states);
+    const ofReference = (order) =>
+      this.reference.map((values) => withoutSteps(derivative(values, this.time, order), this.steps));
+    this.speed = ofReference(1);
+    this.acceleration = ofReference(2);
     this.accelerationRounding = derivativeRounding(columns.get('j1_ref_deg').digits, this.time, 2);
-    this.jerk = this.reference.map((values) => derivative(values, this.time, 3));
+    this.jerk = ofReference(3);
     this.following = this.reference.map((values, joint) =>
       values.map((value, row) => value - this.encoder[joint][row]),
     );
@@ -64,6 +85,18 @@ class Run {
     this.load = data.load ? coreLoad(data.load, this.time.length) : null;
     this.other = data.other ? new OtherRun(data.other, this) : null;
     this.kinematics = data.summary.arm && data.summary.arm.links ? new Kinematics(data.summary.arm) : null;
+    const sides = () => ({ reference: this.toolPoints(this.reference), encoder: this.toolPoints(this.encoder) });
+    this.tool = this.kinematics ? sides() : null;
+    this.toolSpeed = this.tool ? pointSpeed(this.tool.reference, this.time, this.steps) : null;
+  }
+
+  // x, y and z of the tool in mm, in the base.
+  toolPoints(side) {
+    const points = [0, 1, 2].map(() => new Float64Array(this.time.length));
+    for (let row = 0; row < this.time.length; row += 1) {
+      this.kinematics.toolPoint(this.jointsAt(side, row)).forEach((mm, axis) => (points[axis][row] = mm));
+    }
+    return points;
   }
 
   get begin() {
@@ -124,5 +157,6 @@ class OtherRun {
     this.deviation = joints.map((joint, i) =>
       matched(`${joint}_enc_counts`).map((counts, row) => run.counts[i][row] - counts),
     );
+    this.differs = this.deviation.some((values) => values.some((counts) => counts !== 0 && !Number.isNaN(counts)));
   }
 }

@@ -26,6 +26,7 @@ function showMoves(parent, run, timeline) {
   if (moves.length === 0) return;
   const box = element(parent, 'section', 'table');
   element(box, 'h3').textContent = 'Moves';
+  element(box, 'p', 'note').textContent = 'A click on a move shows its beginning.';
   const table = element(box, 'table');
   row(table, ['move', 'kind', 'start', 'planned', 'taken', 'blended'], 'th');
   const ticks = (count) => (count === null ? 'not finished' : `${(count * kTickSeconds).toFixed(4)} s`);

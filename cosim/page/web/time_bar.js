@@ -3,6 +3,7 @@ class TimeBar {
   constructor(parent, run, timeline, selection) {
     Object.assign(this, { timeline });
     this.playButton = element(parent, 'button', 'play');
+    element(this.playButton, 'span', 'glyph');  // drawn by the style, because not every font has it
     this.playButton.addEventListener('click', () => (timeline.playing ? timeline.stop() : timeline.play()));
     this.slider = element(parent, 'input', 'slider');
     Object.assign(this.slider, { type: 'range', min: 0, max: kSliderSteps, step: 1, id: 'slider', title: 'time' });
@@ -48,8 +49,8 @@ class TimeBar {
     const [from, to] = this.timeline.window;
     this.slider.value = Math.round(((this.timeline.time - from) / (to - from)) * kSliderSteps);
     this.text.textContent = secondsText(this.timeline.time);
-    this.playButton.textContent = this.timeline.playing ? '⏸' : '▶';
-    this.playButton.title = this.timeline.playing ? 'stop' : 'play';
+    this.playButton.classList.toggle('playing', this.timeline.playing);
+    this.playButton.title = this.timeline.playing ? 'stop (space)' : 'play (space)';
   }
 }
 

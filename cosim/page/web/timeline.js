@@ -1,16 +1,25 @@
 // The time that all parts of the page show, the part of the run that they show, and playing.
+
+// The page scrolls by the wheel, so a plot zooms by it with Ctrl, as by two fingers on a touchpad.
+function zoomByWheel(event, timeline, time) {
+  if (!event.ctrlKey) return;
+  event.preventDefault();
+  timeline.zoom(time, 1.25 ** Math.sign(event.deltaY));
+}
+
 class Timeline {
   constructor(begin, end) {
     this.begin = begin;
     this.end = end;
     this.time = begin;
     this.window = [begin, end];
+    this.pointed = null;  // the time below the mouse, of which the plots show the values
     this.speed = 1;
     this.listeners = [];
     this.frame = null;
   }
 
-  // `listener(what)` is called after each change; `what` is 'time' or 'window'.
+  // `listener(what)` is called after each change; `what` is 'time', 'window' or 'pointed'.
   listen(listener) {
     this.listeners.push(listener);
   }
@@ -30,6 +39,17 @@ class Timeline {
     if (window[0] === this.window[0] && window[1] === this.window[1]) return;
     this.window = window;
     this.tell('window');
+  }
+
+  pointAt(time) {
+    this.pointed = time;
+    this.tell('pointed');
+  }
+
+  // Shows a part that is `factor` times as long, with the same time at the same place.
+  zoom(time, factor) {
+    const [from, to] = this.window;
+    this.setWindow(time - (time - from) * factor, time + (to - time) * factor);
   }
 
   showAll() {

@@ -1,6 +1,7 @@
 """The report page in a browser: it shows what the files of the run say, and nothing of a user's text runs."""
 
 import json
+import math
 import re
 import shutil
 import sys
@@ -18,6 +19,7 @@ PAINTED = """(canvas => {
   const pixels = new Uint32Array(context.getImageData(0, 0, copy.width, copy.height).data.buffer);
   return pixels.filter(pixel => pixel !== pixels[0]).length / pixels.length;
 })"""
+BOX = "(b => [b.x, b.y, b.width, b.height])(document.querySelector('%s').getBoundingClientRect())"
 SLIDE = "(() => { const s = document.getElementById('slider'); s.value = %d; s.dispatchEvent(new Event('input')); })()"
 
 
@@ -104,9 +106,7 @@ class OneReport(Panels):
         self.assertFalse(self.page.run("report.timeline.playing"))
 
     def test_zooming_one_plot_zooms_all_to_full_detail(self):
-        left, top, width, height = self.page.run(
-            "(b => [b.x, b.y, b.width, b.height])(document.querySelector('#plot-position .area').getBoundingClientRect())"
-        )
+        left, top, width, height = self.page.run(BOX % "#plot-position .area")
         shown = "report.plots.map(plot => plot.graph.numRows())"
         windows = "report.plots.map(plot => plot.graph.xAxisRange())"
         self.assertLess(max(self.page.run(shown)), 5000)
@@ -120,6 +120,69 @@ class OneReport(Panels):
             self.assertAlmostEqual(count, rows, delta=2)
         self.page.run("document.querySelector('#bar .all').click()")
         self.assertEqual(self.page.run("report.timeline.window[1]"), self.page.run("report.timeline.end"))
+
+    def test_the_tool_is_where_the_trace_says_and_has_the_speed_of_its_way(self):
+        rows = self.rows(self.out / "trace.csv")
+        for side, name in (("reference", "ref"), ("encoder", "enc")):
+            shown = self.page.run(f"report.run.tool.{side}.map(values => Array.from(values))")
+            for values, axis in zip(shown, "xyz"):
+                wanted = [float(row[f"tcp_{name}_{axis}_mm"]) for row in rows]
+                self.assertLess(max(abs(one - other) for one, other in zip(values, wanted)), 2e-5)
+        speed = self.page.run("Array.from(report.run.toolSpeed)")
+        self.assertEqual((speed[0], speed[-1]), (None, None))
+        points = [[float(row[f"tcp_ref_{axis}_mm"]) for axis in "xyz"] for row in rows]
+        for at in range(1, len(rows) - 1, 97):
+            self.assertAlmostEqual(speed[at], math.dist(points[at - 1], points[at + 1]) / 1e-4, delta=0.5)  # of rounded mm
+        self.assert_panels_painted(["tool", "tool-speed"])
+
+    def test_the_mouse_over_a_plot_shows_the_values_there(self):
+        left, top, width, height = self.page.run(BOX % "#plot-speed .area")
+        readout = "document.querySelector('#plot-position .readout').textContent"
+        at_cursor = self.page.run(readout)
+        where = {"x": left + width * 0.6, "y": top + height / 2}
+        self.page.of_page("Input.dispatchMouseEvent", type="mouseMoved", **where)
+        self.page.wait_until("report.timeline.pointed !== null")
+        pointed = self.page.run("report.timeline.pointed")
+        row = self.page.run("report.run.rowAt(report.timeline.pointed)")
+        below = self.page.run(f"report.plots[1].graph.toDataXCoord({width * 0.6})")
+        self.assertAlmostEqual(pointed, below, delta=2e-3)
+        self.assertIn(f"{self.page.run('report.run.time')[str(row)]:.6f} s", self.page.run(readout))
+        self.page.of_page("Input.dispatchMouseEvent", type="mouseMoved", x=5, y=5)
+        self.page.wait_until("report.timeline.pointed === null")
+        self.assertEqual(self.page.run(readout), at_cursor)
+
+    def test_keys_play_and_step(self):
+        self.page.run("document.activeElement.blur(); report.timeline.setTime(report.run.time[100])")
+        for key, shift, row in (("ArrowRight", 0, 101), ("ArrowRight", 8, 111), ("ArrowLeft", 0, 110), ("ArrowLeft", 8, 100)):
+            self.press(key, shift)
+            self.assertEqual(self.page.run("report.run.rowAt(report.timeline.time)"), row, key)
+        self.press(" ")
+        self.assertTrue(self.page.run("report.timeline.playing"))
+        self.press(" ")
+        self.assertFalse(self.page.run("report.timeline.playing"))
+        self.page.run("document.querySelector('#bar .speed').focus(); report.timeline.setTime(report.run.time[100])")
+        self.press("ArrowRight")  # of the field
+        self.assertEqual(self.page.run("report.run.rowAt(report.timeline.time)"), 100)
+        self.page.run("document.activeElement.blur()")
+
+    def press(self, key, modifiers=0):
+        self.page.of_page("Input.dispatchKeyEvent", type="keyDown", key=key, modifiers=modifiers)
+        self.page.of_page("Input.dispatchKeyEvent", type="keyUp", key=key, modifiers=modifiers)
+
+    def test_the_wheel_zooms_with_ctrl_and_keeps_the_time_below_the_mouse(self):
+        for selector, time in (("#plot-speed .area", "report.plots[1].graph.toDataXCoord(%f)"), ("#lanes canvas", "report.lanes.timeAt(%f)")):
+            with self.subTest(selector):
+                self.page.run("report.timeline.showAll(); window.scrollTo(0, 0)")
+                self.addCleanup(self.page.run, "report.timeline.showAll()")
+                left, top, width, height = self.page.run(BOX % selector)
+                under = time % (width * 0.6)
+                before, shown = self.page.run(under), self.page.run("report.timeline.window")
+                wheel = {"type": "mouseWheel", "x": left + width * 0.6, "y": top + height / 2, "deltaX": 0, "deltaY": -100}
+                self.page.of_page("Input.dispatchMouseEvent", **wheel, modifiers=2)
+                self.page.wait_until(f"report.timeline.window[1] < {shown[1]}")
+                begin, end = self.page.run("report.timeline.window")
+                self.assertAlmostEqual((shown[1] - shown[0]) / (end - begin), 1.25, delta=0.01)
+                self.assertAlmostEqual(self.page.run(under), before, delta=2e-3)
 
     def test_a_cartesian_move_has_its_path_and_its_error(self):
         self.assert_panels_painted(["path-error", "position"])
@@ -194,6 +257,22 @@ class Report(Panels):
         )
         for part in ("State fault", "Faults injected: estop", "Faults fault: estop"):
             self.assertIn(part, text)
+        # The head says why the run failed.
+        missed = self.page.run("report.run.summary.result.expectations.filter(e => !e.met).map(e => e.key)")
+        self.assertTrue(missed)
+        self.assertIn(f"{missed[0]}: expected", self.page.run("document.querySelector('#head .failure').textContent"))
+
+    def test_a_step_of_the_set_points_at_a_fault_hides_no_acceleration(self):
+        self.show(SCENARIOS / "estop_and_clear", "--engine", "model")
+        self.assertEqual(self.page.run("report.run.steps.length"), 2)
+        accelerations = "report.run.acceleration.flatMap(values => Array.from(values, Math.abs)).filter(a => !isNaN(a))"
+        limits = self.page.run("report.run.axes.map(axis => axis.max_accel_deg_s2)")
+        self.assertLess(self.page.run(f"Math.max(...{accelerations})"), 1.02 * max(limits))
+        self.assertIn("a fault begins", self.page.run("document.querySelector('#plot-acceleration .note').textContent"))
+        moves = self.page.run("report.lanes.lanes.find(([name]) => name === 'Moves')[1]")
+        move = next(one for one in moves if "not finished" in one["detail"])
+        fault = self.page.run("report.lanes.lanes.find(([name]) => name === 'Faults')[1].find(f => f.label === 'fault: estop')")
+        self.assertEqual(move["to"], fault["from"])
 
     def test_a_program_is_a_lane_and_names_its_moves(self):
         (self.folder / "s").mkdir()
@@ -209,6 +288,20 @@ class Report(Panels):
         for part in ("Program 1;", "Program cut it;", "Program ended;", "Moves line 3 of part.ngc: line"):
             self.assertIn(part, text + ";")
 
+    def test_labels_of_a_lane_end_before_the_next_item(self):
+        self.show(SCENARIOS / "gcode_laser_cut", "--engine", "model")
+        for window in ("report.timeline.begin, report.timeline.end", "0.7, 1.2"):
+            self.page.run(f"report.timeline.setWindow({window})")
+            crossed, labelled = self.page.run(
+                "(() => { const canvas = report.lanes.canvas.getContext('2d'); canvas.font = '11px sans-serif';"
+                " const {drawn} = report.lanes; let crossed = 0; let labelled = 0;"
+                " drawn.forEach((one, i) => { if (!one.labelled) return; labelled += 1;"
+                " const end = one.left + 6 + canvas.measureText(one.item.label).width; const next = drawn[i + 1];"
+                " if (next && next.y === one.y && end > next.left + 3) crossed += 1; }); return [crossed, labelled]; })()"
+            )
+            self.assertEqual(crossed, 0)
+            self.assertGreater(labelled, 4)
+
     def test_a_failed_golden_shows_its_deviation(self):
         scenario = self.copy_of(TINY)
         lines = (scenario / "golden.csv").read_text().splitlines()
@@ -218,6 +311,10 @@ class Report(Panels):
         (scenario / "golden.csv").write_text("\n".join([*lines[:5], ",".join(cells), *lines[6:]]) + "\n")
         self.show(scenario, code=1)
         self.assertEqual(self.page.run("document.getElementById('verdict').textContent"), "FAILED")
+        head = self.page.run("document.querySelector('#head .failure').textContent")
+        self.assertIn(self.page.run("report.run.summary.result.golden_text"), head)
+        tick = self.page.run("report.run.tick[40]")
+        self.assertIn(f"J2 deviates by -3 counts in tick {tick}", head)
         self.assert_panels_painted(["deviation"])
         deviation = self.page.run("report.run.other.deviation.map(d => Array.from(d))")
         # The golden has every tenth row of the trace; this is its fifth one.
@@ -230,6 +327,11 @@ class Report(Panels):
         self.page.run("report.timeline.setTime(report.run.time[43])")
         readout = self.page.run("document.querySelector('#plot-deviation .readout').textContent")
         self.assertIn("J2 -3", readout)
+
+    def test_an_equal_golden_needs_no_plot_of_deviations(self):
+        self.show(TINY)
+        found = self.page.run("[report.run.other.name, report.plots.filter(p => p.what.id === 'deviation').length]")
+        self.assertEqual(found, ["golden", 0])
 
     def test_text_of_a_user_does_not_run(self):
         scenario = self.copy_of(self.brief())
