@@ -132,7 +132,9 @@ class OneReport(Panels):
         self.assertEqual((speed[0], speed[-1]), (None, None))
         points = [[float(row[f"tcp_ref_{axis}_mm"]) for axis in "xyz"] for row in rows]
         for at in range(1, len(rows) - 1, 97):
-            self.assertAlmostEqual(speed[at], math.dist(points[at - 1], points[at + 1]) / 1e-4, delta=0.5)  # of rounded mm
+            self.assertAlmostEqual(
+                speed[at], math.dist(points[at - 1], points[at + 1]) / 1e-4, delta=0.5
+            )  # of rounded mm
         self.assert_panels_painted(["tool", "tool-speed"])
 
     def test_the_mouse_over_a_plot_shows_the_values_there(self):
@@ -153,7 +155,12 @@ class OneReport(Panels):
 
     def test_keys_play_and_step(self):
         self.page.run("document.activeElement.blur(); report.timeline.setTime(report.run.time[100])")
-        for key, shift, row in (("ArrowRight", 0, 101), ("ArrowRight", 8, 111), ("ArrowLeft", 0, 110), ("ArrowLeft", 8, 100)):
+        for key, shift, row in (
+            ("ArrowRight", 0, 101),
+            ("ArrowRight", 8, 111),
+            ("ArrowLeft", 0, 110),
+            ("ArrowLeft", 8, 100),
+        ):
             self.press(key, shift)
             self.assertEqual(self.page.run("report.run.rowAt(report.timeline.time)"), row, key)
         self.press(" ")
@@ -170,14 +177,23 @@ class OneReport(Panels):
         self.page.of_page("Input.dispatchKeyEvent", type="keyUp", key=key, modifiers=modifiers)
 
     def test_the_wheel_zooms_with_ctrl_and_keeps_the_time_below_the_mouse(self):
-        for selector, time in (("#plot-speed .area", "report.plots[1].graph.toDataXCoord(%f)"), ("#lanes canvas", "report.lanes.timeAt(%f)")):
+        for selector, time in (
+            ("#plot-speed .area", "report.plots[1].graph.toDataXCoord(%f)"),
+            ("#lanes canvas", "report.lanes.timeAt(%f)"),
+        ):
             with self.subTest(selector):
                 self.page.run("report.timeline.showAll(); window.scrollTo(0, 0)")
                 self.addCleanup(self.page.run, "report.timeline.showAll()")
                 left, top, width, height = self.page.run(BOX % selector)
                 under = time % (width * 0.6)
                 before, shown = self.page.run(under), self.page.run("report.timeline.window")
-                wheel = {"type": "mouseWheel", "x": left + width * 0.6, "y": top + height / 2, "deltaX": 0, "deltaY": -100}
+                wheel = {
+                    "type": "mouseWheel",
+                    "x": left + width * 0.6,
+                    "y": top + height / 2,
+                    "deltaX": 0,
+                    "deltaY": -100,
+                }
                 self.page.of_page("Input.dispatchMouseEvent", **wheel, modifiers=2)
                 self.page.wait_until(f"report.timeline.window[1] < {shown[1]}")
                 begin, end = self.page.run("report.timeline.window")
@@ -271,7 +287,9 @@ class Report(Panels):
         self.assertIn("a fault begins", self.page.run("document.querySelector('#plot-acceleration .note').textContent"))
         moves = self.page.run("report.lanes.lanes.find(([name]) => name === 'Moves')[1]")
         move = next(one for one in moves if "not finished" in one["detail"])
-        fault = self.page.run("report.lanes.lanes.find(([name]) => name === 'Faults')[1].find(f => f.label === 'fault: estop')")
+        fault = self.page.run(
+            "report.lanes.lanes.find(([name]) => name === 'Faults')[1].find(f => f.label === 'fault: estop')"
+        )
         self.assertEqual(move["to"], fault["from"])
 
     def test_a_program_is_a_lane_and_names_its_moves(self):
