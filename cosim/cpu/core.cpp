@@ -100,7 +100,7 @@ void Core::wake_if_interrupted(Cycles now) {
 }
 
 void Core::resume(Cycles now) {
-  now_ = now;
+  time_.now = now;
   is_ahead_ = false;
   wait_ = Wait::kNothing;
   fiber_.resume();
@@ -113,12 +113,6 @@ Interrupts Core::active(Interrupts mask) const {
 }
 
 // ---- called from inside the fiber ----
-
-// The cycle before which this core runs alone; its own cycle or an earlier one if it does not.
-Cycles Core::horizon() const {
-  if (is_ahead_) return horizon_;
-  return may_run_ahead() ? std::min(simulation_->horizon(), other_->quiet_until()) : now_;
-}
 
 bool Core::may_run_ahead() const {
   return simulation_ != nullptr && takes_time_ && !event_sent_ && !simulation_->host_must_read();
@@ -143,23 +137,31 @@ Cycles Core::quiet_until() const {
 // Suspends the core in the cycle in which it is.
 void Core::wait_for_simulation() {
   if (!is_ahead_) return;
-  simulation_->catch_up(now_);
-  sleep_until(now_);
+  simulation_->catch_up(time_.now);
+  sleep_until(time_.now);
 }
 
 std::uint32_t Core::access(const BusRequest& request) {
-  if (const Cycles until = horizon(); now_ < until) {
-    const RunAhead::Outcome outcome = simulation_->try_access(request, now_, until);
-    if (outcome.access == RunAhead::Access::kDone) {
+  if (!is_ahead_) time_.horizon = find_horizon();
+  if (time_.now < time_.horizon) {
+    const RunAhead::Outcome outcome = simulation_->try_access(request, time_);
+    if (outcome.access == RunAhead::Access::kDone) [[likely]] {
       is_ahead_ = true;
-      horizon_ = outcome.horizon;
-      now_ = outcome.ends;
       return outcome.data;
     }
     if (outcome.access == RunAhead::Access::kRefused) wait_for_simulation();
   } else {
     wait_for_simulation();
   }
+  return wait_for_response(request);
+}
+
+// The cycle before which a core that is not ahead runs alone; its own cycle or an earlier one if it does not.
+Cycles Core::find_horizon() const {
+  return may_run_ahead() ? std::min(simulation_->horizon(), other_->quiet_until()) : time_.now;
+}
+
+std::uint32_t Core::wait_for_response(const BusRequest& request) {
   request_ = request;
   wait_ = Wait::kBus;
   fiber_.suspend();
@@ -187,41 +189,41 @@ void Core::send_event() noexcept {
 
 Interrupts Core::wait_for_interrupt(Interrupts mask) noexcept {
   if (is_ahead_ && simulation_->host_must_read()) wait_for_simulation();
-  longest_awake_ = std::max(longest_awake_, now_ - awake_since_);
-  awake_ += now_ - awake_since_;
+  longest_awake_ = std::max(longest_awake_, time_.now - awake_since_);
+  awake_ += time_.now - awake_since_;
   if (active(mask) == Interrupts::kNone) {
     mask_ = mask;
     wait_ = Wait::kInterrupt;
     fiber_.suspend();
   }
-  awake_since_ = now_;
+  awake_since_ = time_.now;
   const Interrupts lines = active(mask);
   if ((bits(lines) & bits(Interrupts::kEvent)) != 0) event_ = false;
   return lines;
 }
 
-// Whether this core runs alone up to and at the cycle `until`; then horizon_ is known.
+// Whether this core runs alone up to and at the cycle `until`; then time_.horizon is known.
 bool Core::passes_alone(Cycles until) {
-  if (is_ahead_) return until < horizon_ && !simulation_->host_must_read();
+  if (is_ahead_) return until < time_.horizon && !simulation_->host_must_read();
   if (!may_run_ahead() || until >= other_->quiet_until()) return false;
-  horizon_ = std::min(simulation_->pass_time(until), other_->quiet_until());
-  return until < horizon_;
+  time_.horizon = std::min(simulation_->pass_time(until), other_->quiet_until());
+  return until < time_.horizon;
 }
 
 void Core::charge(Work work, std::int64_t times) noexcept {
   const Cycles cost{cycles_of(spec_, work) * times};
   if (spec_.cpi) return pass(cost);
-  compute_until(now_ + cost);
+  compute_until(time_.now + cost);
 }
 
 void Core::pass(Cycles duration) noexcept {
-  if (duration > Cycles{}) compute_until(now_ + duration);
+  if (duration > Cycles{}) compute_until(time_.now + duration);
 }
 
 void Core::compute_until(Cycles end) {
-  if (now_ < end && passes_alone(end)) {
+  if (time_.now < end && passes_alone(end)) {
     is_ahead_ = true;
-    now_ = end;
+    time_.now = end;
     return;
   }
   wait_for_simulation();

@@ -74,12 +74,13 @@ class Core final : private CoreBus {
   void write32(RegAddr addr, std::uint32_t value) noexcept override;
   Interrupts wait_for_interrupt(Interrupts mask) noexcept override;
   void send_event() noexcept override;
-  Cycles now() noexcept override { return now_; }
+  Cycles now() noexcept override { return time_.now; }
   void charge(Work work, std::int64_t times) noexcept override;
   void pass(Cycles duration) noexcept override;
 
   std::uint32_t access(const BusRequest& request);
-  [[nodiscard]] Cycles horizon() const;
+  std::uint32_t wait_for_response(const BusRequest& request);
+  [[nodiscard]] Cycles find_horizon() const;
   [[nodiscard]] bool may_run_ahead() const;
   [[nodiscard]] bool passes_alone(Cycles until);
   [[nodiscard]] Cycles quiet_until() const;
@@ -95,7 +96,7 @@ class Core final : private CoreBus {
   bool takes_time_;  // all work of core 0 that suspends it
   Fiber fiber_;
   Wait wait_ = Wait::kTime;  // starts at cycle 0
-  Cycles now_{};
+  TimeAhead time_;           // horizon: of a core that is ahead
   Cycles wake_{};
   Cycles awake_since_{};
   Cycles longest_awake_{};
@@ -110,7 +111,6 @@ class Core final : private CoreBus {
   const Core* other_ = nullptr;
   std::exception_ptr failure_;  // has ended the main
   bool is_ahead_ = false;       // since it was continued it has run ahead
-  Cycles horizon_{};            // of a core that is ahead
 };
 
 }  // namespace armature::cosim

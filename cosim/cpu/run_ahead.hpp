@@ -7,6 +7,7 @@
 
 #include "controller/base/units.hpp"
 #include "cosim/bus/bus_access.hpp"
+#include "cosim/bus/time_ahead.hpp"
 
 namespace armature::cosim {
 
@@ -28,17 +29,15 @@ class RunAhead {
   enum class Access : std::uint8_t {
     kRefused,  // it has not begun; the core must not run ahead with it
     kBegun,    // the core waits for Processor::complete()
-    kDone,     // the chip is at its end
+    kDone,     // it has ended, and the chip is at its end
   };
   struct Outcome {
     Access access = Access::kRefused;
     std::uint32_t data = 0;  // of kDone
-    Cycles ends{};           // of kDone
-    Cycles horizon{};        // of kDone: from then on
   };
-  // Executes an access of core 0 that begins at `now`, the cycle of the core, as far as possible before `horizon`;
-  // refuses it if host_must_read().
-  virtual Outcome try_access(const BusRequest& request, Cycles now, Cycles horizon) = 0;
+  // Executes an access of core 0 that begins at time.now, as far as possible before the horizon; refuses it if
+  // host_must_read(). kDone: `time` is that of its end.
+  virtual Outcome try_access(const BusRequest& request, TimeAhead& time) = 0;
 };
 
 }  // namespace armature::cosim

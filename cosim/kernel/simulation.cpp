@@ -152,7 +152,7 @@ SimulationEnd Simulation::finish() {
   soc_->close_wave();
   conservation_.finish();
   end_with_program();
-  if (const auto& violation = conservation_.violation()) fail(*violation);
+  if (conservation_.violation()) fail_conservation();
   if (pendant_ && end_.reason == EndReason::kFinished) {
     if (const auto unfinished = pendant_->unfinished()) fail(*unfinished);
   }
@@ -245,23 +245,28 @@ void Simulation::finish_access(const BusResponse& response) {
                      access.core, kBusErrorTexts.at(static_cast<std::size_t>(response.error)), now().value()));
     return;
   }
-  if (!check_access(request, response, now())) return;
+  if (!check_access(request, response.data, now())) return;
   processor_->complete(access, response, now());
   read_host_memory();
 }
 
-// Of an access without an error that has ended at `now`. Returns false if it ends the run.
-bool Simulation::check_access(const BusRequest& request, const BusResponse& response, Cycles now) {
+// Of an access without an error that has ended at `now`, and has read this. Returns false if it ends the run.
+bool Simulation::check_access(const BusRequest& request, std::uint32_t read, Cycles now) {
   if (request.write) {
     ++end_.bus_writes;
     conservation_.on_write(now, request.addr, request.data);
   } else {
     ++end_.bus_reads;
-    software_.on_read(response.data);
-    conservation_.on_read(now, request.addr, response.data);
+    software_.on_read(read);
+    conservation_.on_read(now, request.addr, read);
   }
-  if (const auto& violation = conservation_.violation()) fail(*violation);
+  if (conservation_.violation()) [[unlikely]]
+    fail_conservation();
   return !over_;
+}
+
+void Simulation::fail_conservation() {
+  fail(*conservation_.violation());
 }
 
 // One access at a time.
@@ -339,7 +344,7 @@ void Simulation::report_outputs(std::uint16_t levels) {
 
 void Simulation::on_trigger() {
   conservation_.on_trigger(now());
-  if (const auto& violation = conservation_.violation()) fail(*violation);
+  if (conservation_.violation()) fail_conservation();
   if (belt_) host_.publish_belt(belt_counts());
   // The time before the first trigger was start-up, not a tick.
   if (triggers_ == 0) processor_->reset_worst_tick();

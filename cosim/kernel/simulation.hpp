@@ -98,12 +98,13 @@ class Simulation final : private RunAhead {
   Cycles pass_time(Cycles until) override;
   bool host_must_read() const override;
   void catch_up(Cycles until) override;
-  Outcome try_access(const BusRequest& request, Cycles at, Cycles horizon) override;
+  Outcome try_access(const BusRequest& request, TimeAhead& time) override;
 
   [[nodiscard]] Cycles horizon_of_others() const;
   void take_fallen_interrupts();
-  Outcome continue_access(Soc::Progress progress, const BusRequest& request, Cycles at, Cycles horizon);
-  Outcome end_access(const Soc::Progress& progress, const BusRequest& request, Cycles at, Cycles horizon);
+  Outcome noticed_access(const BusRequest& request, TimeAhead& time);
+  Outcome continue_access(Soc::Progress progress, const BusRequest& request, TimeAhead& time);
+  Outcome end_access(const Soc::Progress& progress, const BusRequest& request, TimeAhead& time);
 
   void step();
   [[nodiscard]] Cycles end() const;
@@ -121,7 +122,8 @@ class Simulation final : private RunAhead {
   [[nodiscard]] SocInputs inputs() const;
   void act(const ScriptAction& action);
   void finish_access(const BusResponse& response);
-  bool check_access(const BusRequest& request, const BusResponse& response, Cycles now);
+  bool check_access(const BusRequest& request, std::uint32_t read, Cycles now);
+  void fail_conservation();
   void grant_bus();
   void give(const CommandSpec& move);
   void feed_program();

@@ -42,41 +42,51 @@ void Simulation::take_fallen_interrupts() {
   processor_->set_interrupts(interrupts_, now());
 }
 
-RunAhead::Outcome Simulation::try_access(const BusRequest& request, Cycles at, Cycles horizon) {
-  if (host_must_read() || ticks_.disturbs(request)) return {};
+RunAhead::Outcome Simulation::try_access(const BusRequest& request, TimeAhead& time) {
+  if (host_must_read()) [[unlikely]]
+    return {};
+  const Cycles began = time.now;
+  const std::optional<std::uint32_t> data = soc_->access_unnoticed(request, time);
+  if (!data) return noticed_access(request, time);
   core_was_ahead_ = true;
-  const Soc::Progress progress = soc_->access(request, at, horizon - Cycles{1});
+  bus_time_[0] += time.now - began;
+  return {check_access(request, *data, time.now) ? Access::kDone : Access::kBegun, *data};
+}
+
+RunAhead::Outcome Simulation::noticed_access(const BusRequest& request, TimeAhead& time) {
+  if (ticks_.disturbs(request)) return {};
+  core_was_ahead_ = true;
+  const Soc::Progress progress = soc_->access(request, time.now, time.horizon - Cycles{1});
   if (progress.pins_changed || !progress.response || progress.response->error != BusError::kNone) [[unlikely]] {
-    return continue_access(progress, request, at, horizon);
+    return continue_access(progress, request, time);
   }
-  return end_access(progress, request, at, horizon);
+  return end_access(progress, request, time);
 }
 
 // The core waits for the response, if it does not get it here: another pin than an interrupt has changed, or the access
 // ends too late or with an error.
-RunAhead::Outcome Simulation::continue_access(Soc::Progress progress, const BusRequest& request, Cycles at,
-                                              Cycles horizon) {
+RunAhead::Outcome Simulation::continue_access(Soc::Progress progress, const BusRequest& request, TimeAhead& time) {
   while (progress.pins_changed && !progress.response && only_interrupts_fell(seen_, soc_->outputs())) {
     take_fallen_interrupts();
-    progress = soc_->continue_access(horizon - Cycles{1});
+    progress = soc_->continue_access(time.horizon - Cycles{1});
   }
   if (progress.response && !progress.pins_changed && progress.response->error == BusError::kNone) {
-    return end_access(progress, request, at, horizon);
+    return end_access(progress, request, time);
   }
   if (progress.interrupts_fell) take_fallen_interrupts();
   access_ = Processor::Access{.core = 0, .request = request};
-  access_since_ = at;
+  access_since_ = time.now;
   response_ = progress.response;
   pins_changed_ = progress.pins_changed;
   return {.access = Access::kBegun};
 }
 
-RunAhead::Outcome Simulation::end_access(const Soc::Progress& progress, const BusRequest& request, Cycles at,
-                                         Cycles horizon) {
-  bus_time_[0] += progress.ends - at;
+RunAhead::Outcome Simulation::end_access(const Soc::Progress& progress, const BusRequest& request, TimeAhead& time) {
+  bus_time_[0] += progress.ends - time.now;
+  time = {.now = progress.ends, .horizon = std::min(time.horizon, progress.quiet_until)};
   if (progress.interrupts_fell) take_fallen_interrupts();
-  if (!check_access(request, *progress.response, progress.ends)) return {.access = Access::kBegun};  // the run is over
-  return {Access::kDone, progress.response->data, progress.ends, std::min(horizon, progress.quiet_until)};
+  const std::uint32_t data = progress.response->data;
+  return {check_access(request, data, time.now) ? Access::kDone : Access::kBegun, data};  // kBegun: the run is over
 }
 
 }  // namespace armature::cosim

@@ -13,6 +13,8 @@
 //     kNever if there is none. So a block stores times of coming events instead of counters that run.
 //   Answer access(Cycles at, const Strobes& access, const Inputs& inputs);
 //     Optional: edge() for an edge that could be left out but for its access, and at which no output changes.
+//   std::optional<std::uint32_t> peek(...) const;
+//     Optional: what a read finds that changes nothing; none: it may change something, or is an error.
 //   outputs: levels after the latest computed edge. They do not change at edges that are left out.
 //
 // Edge 1 is the first one after reset: kTimeZero is the state in reset.

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include "controller/regs/soc_map.hpp"
+#include "cosim/bus/bus_access.hpp"
 #include "cosim/logic/logic_spec.hpp"
 #include "cosim/logic/pins.hpp"
 #include "cosim/model/block.hpp"
@@ -143,6 +145,23 @@ class Logic {
     if (!shows || !show_outputs(1u << port)) return false;
     wakes_known_ = false;
     return true;
+  }
+
+  // An access at the edge `at`, before wakes_at(), that changes no output and no coming edge (block.hpp). Returns the
+  // data of a read, 0 of a write; nothing, and does nothing, if it may be another one.
+  [[gnu::always_inline]] std::optional<std::uint32_t> access_unnoticed(const BusRequest& request, Cycles at) {
+    if constexpr (Variant::kHasIk) {
+      const std::uint32_t offset = word_offset(static_cast<std::uint16_t>(request.addr));
+      const std::uint32_t base = request.addr - static_cast<std::uint16_t>(request.addr);
+      if (request.write) {
+        const bool staged = base == Variant::kBases[3] && pulses_.block().stage(offset, request.data, request.strobes);
+        return staged ? std::optional{0u} : std::nullopt;
+      }
+      if (base == Variant::kBases[4]) return variant_.encoder().peek(offset);
+      if (base == Variant::kBases[3]) return pulses_.block().peek(at, offset);
+      if (base == Variant::kBases[0]) return gpio_.block().peek(offset);
+    }
+    return std::nullopt;
   }
 
   void stop_clock_of(ClockGroup group) {

@@ -97,6 +97,16 @@ class ModelSoc final : public Soc {
     return {response_of(request, answer), false, fell, ends + stood_, logic_.wakes_at() + stood_};
   }
 
+  std::optional<std::uint32_t> access_unnoticed(const BusRequest& request, TimeAhead& time) override {
+    const Cycles ends = time.now + times_.ends(request.write);
+    if (!quick_ || ends >= time.horizon) return std::nullopt;
+    const std::optional<std::uint32_t> data = logic_.access_unnoticed(request, time.now - stood_ + times_.executed);
+    if (!data) return std::nullopt;
+    logic_.pass(ends - stood_);
+    time.now = ends;
+    return data;
+  }
+
   [[nodiscard]] bool has_response() const override { return response_.has_value(); }
   std::optional<BusResponse> pop_response() override { return std::exchange(response_, std::nullopt); }
   [[nodiscard]] Cycles access_timeout() const override { return Cycles{spec_.timeout_cycles}; }

@@ -13,6 +13,7 @@
 
 #include "controller/base/units.hpp"
 #include "cosim/bus/bus_access.hpp"
+#include "cosim/bus/time_ahead.hpp"
 #include "cosim/fabric/fabric.hpp"
 #include "cosim/logic/logic_spec.hpp"
 #include "cosim/soc/motion_port.hpp"
@@ -77,6 +78,11 @@ class Soc {
     Cycles quiet_until{};                   // quiet_until() if the access has ended
   };
   virtual Progress access(const BusRequest& request, Cycles at, Cycles limit);
+  // access() of a register that nothing but the processor notices: no output and no edge that must be computed changes
+  // by it, it ends before the horizon and without an error, and MotionPort::disturbs() is false. It begins at time.now
+  // and moves that to its end, now(). `time.horizon`: not later than quiet_until(), and remains so. Returns the data of
+  // a read, any data of a write; nothing, and does nothing, if the access may be another one.
+  virtual std::optional<std::uint32_t> access_unnoticed(const BusRequest&, TimeAhead& /*time*/) { return std::nullopt; }
   // The rest of access(), after a change of an output has ended it.
   Progress continue_access(Cycles limit);
 

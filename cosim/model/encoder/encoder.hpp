@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "controller/base/axes.hpp"
+#include "controller/regs/encoder_regs.hpp"
 #include "cosim/logic/whole_tick.hpp"
 #include "cosim/model/block.hpp"
 #include "cosim/model/encoder/line_filter.hpp"
@@ -37,6 +38,14 @@ class Encoder {
     return access.write || gated_clock_stopped_ ? edge(at, access, in) : read(word_offset(access.raddr));
   }
   [[nodiscard]] Cycles wakes_at() const { return wakes_at_; }
+  // A read of what lines do not change between two triggers.
+  [[nodiscard]] std::optional<std::uint32_t> peek(std::uint32_t offset) const {
+    if (const auto i = element_at(offset, armature::regs::encoder::kPositionOffset); i && *i < kDecoders) {
+      return positions_[*i];
+    }
+    if (offset == armature::regs::encoder::kFaultOffset) return faults_;
+    return std::nullopt;
+  }
 
   // ---- whole ticks: the edges at which only the lines act are left out
 

@@ -53,6 +53,11 @@ Answer AxiGpio::answer(const Strobes& access) const {
   return result;
 }
 
+std::optional<std::uint32_t> AxiGpio::peek(std::uint32_t offset) const {
+  if (offset >= kGpioMapEnd) return std::nullopt;
+  return word(offset);
+}
+
 std::uint32_t AxiGpio::word(std::uint32_t offset) const {
   switch (offset) {
     case gpio_regs::kDataOffset:

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "controller/regs/axi_gpio_regs.hpp"
 #include "cosim/model/block.hpp"
@@ -27,6 +28,9 @@ class AxiGpio {
  public:
   Answer edge(Cycles at, const Strobes& access, const GpioInputs& inputs);
   [[nodiscard]] Cycles wakes_at() const { return wakes_at_; }
+
+  // A read without an error.
+  [[nodiscard]] std::optional<std::uint32_t> peek(std::uint32_t offset) const;
 
   // From now on there are no edges of clk_gated_i (rtl/README.md): nothing that can be seen changes.
   void stop_gated_clock();

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "controller/base/axes.hpp"
+#include "controller/regs/pulse_train_regs.hpp"
 #include "cosim/model/arm_pins.hpp"
 #include "cosim/model/block.hpp"
 #include "cosim/model/fault_flags.hpp"
@@ -24,6 +25,20 @@ class PulseTrain {
   Answer edge(Cycles at, const Strobes& access, const PulseInputs& in);
   Answer access(Cycles at, const Strobes& access, const PulseInputs& in);
   [[nodiscard]] Cycles wakes_at() const { return wakes_at_; }
+
+  // A read without an error at the edge `at`; and a write of a whole count, which acts when it is committed. stage()
+  // returns false, and does nothing, for other writes.
+  [[nodiscard]] std::optional<std::uint32_t> peek(Cycles at, std::uint32_t offset) const {
+    const Answer answer = read(at, offset);
+    if (answer.rerr) return std::nullopt;
+    return answer.rdata;
+  }
+  [[nodiscard]] bool stage(std::uint32_t offset, std::uint32_t data, std::uint8_t strobes) {
+    const std::optional<std::size_t> axis = element_at(offset, armature::regs::pulse_train::kCountOffset);
+    if (!axis || strobes != 0xF) return false;
+    staged_[*axis] = static_cast<std::uint16_t>(data);
+    return true;
+  }
 
   [[nodiscard]] std::uint8_t step() const { return step_; }
   [[nodiscard]] std::uint8_t dir() const { return dir_; }

@@ -209,11 +209,12 @@ struct QuietSimulation final : RunAhead {
   Cycles pass_time(Cycles) override { return quiet_until; }
   bool host_must_read() const override { return unread; }
   void catch_up(Cycles now) override { caught_up.push_back(now.value()); }
-  Outcome try_access(const BusRequest&, Cycles now, Cycles horizon) override {
-    const Cycles ends = now + Cycles{10};
-    if (ends >= horizon) return {};
-    accesses.push_back(now.value());
-    return {.access = Access::kDone, .data = 5, .ends = ends, .horizon = horizon};
+  Outcome try_access(const BusRequest&, TimeAhead& time) override {
+    const Cycles ends = time.now + Cycles{10};
+    if (ends >= time.horizon) return {};
+    accesses.push_back(time.now.value());
+    time.now = ends;
+    return {.access = Access::kDone, .data = 5};
   }
 };
 

@@ -43,6 +43,9 @@ class OtherSoc final : public Soc, private MotionPort {
   Progress access(const BusRequest& request, Cycles at, Cycles limit) override {
     return soc_->access(request, at, limit);
   }
+  std::optional<std::uint32_t> access_unnoticed(const BusRequest& request, TimeAhead& time) override {
+    return rarity_ != 0 && now_and_then() ? std::nullopt : soc_->access_unnoticed(request, time);
+  }
   void set_clock_running(bool running) override { soc_->set_clock_running(running); }
   void stop_clock_of(ClockGroup group) override { soc_->stop_clock_of(group); }
   bool idle() const override { return soc_->idle(); }
