@@ -72,6 +72,11 @@ using AxisIntegers = AxisLanes<std::int64_t>;
   constexpr std::int64_t kNoSign = 0x7FFF'FFFF'FFFF'FFFF;
   return only(WholePair{kNoSign, kNoSign}, pair);
 }
+// The largest power of two that is not above the magnitude; 0 of 0.
+[[nodiscard]] inline Pair power_of_two(Pair pair) {
+  constexpr std::int64_t kExponent = 0x7FF0'0000'0000'0000;
+  return only(WholePair{kExponent, kExponent}, pair);
+}
 [[nodiscard]] inline Pair smaller(Pair a, Pair b) {
   return a < b ? a : b;
 }

@@ -11,7 +11,9 @@ class ElectronicGear {
  public:
   // Both at least 1.
   ElectronicGear(std::int32_t counts_per_rev, std::int32_t pulses_per_rev)
-      : counts_per_rev_{counts_per_rev}, pulses_per_rev_{pulses_per_rev} {
+      : counts_per_rev_{counts_per_rev},
+        pulses_per_rev_{pulses_per_rev},
+        counts_per_pulse_{static_cast<double>(counts_per_rev) / static_cast<double>(pulses_per_rev)} {
     if (counts_per_rev < 1 || pulses_per_rev < 1) throw std::invalid_argument{"electronic gear: ratio is not positive"};
   }
 
@@ -35,9 +37,7 @@ class ElectronicGear {
   }
 
   // Counts by which one pulse moves the reference.
-  [[nodiscard]] double counts_per_pulse() const {
-    return static_cast<double>(counts_per_rev_) / static_cast<double>(pulses_per_rev_);
-  }
+  [[nodiscard]] double counts_per_pulse() const { return counts_per_pulse_; }
 
   // Sets the reference to a whole count.
   void set(std::int64_t counts) {
@@ -57,6 +57,7 @@ class ElectronicGear {
 
   std::int64_t counts_per_rev_;
   std::int64_t pulses_per_rev_;
+  double counts_per_pulse_;
   std::int64_t whole_ = 0;
   std::int64_t remainder_ = 0;
   double fraction_ = 0.0;

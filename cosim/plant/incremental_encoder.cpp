@@ -15,7 +15,8 @@ constexpr std::int64_t floor_div(std::int64_t a, std::int64_t b) {
 
 // The count that the encoder shows `elapsed` cycles after the start of the motion.
 Counts count_in(const IncrementalEncoder::Motion& motion, std::int64_t elapsed) {
-  if (elapsed >= motion.length.value()) return nearest_count(motion.target);
+  const Counts begin = nearest_count(motion.start), end = nearest_count(motion.target);
+  if (begin == end || elapsed >= motion.length.value()) return end;
   const std::int64_t way = (motion.target - motion.start).value() * elapsed;
   // A constant needs no division.
   const std::int64_t moved =

@@ -13,14 +13,7 @@ IndependentAxes::IndependentAxes(const RobotSpec& robot) {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const AxisSpec& spec = robot.axes[axis];
     const PositionLoop& motor = motors_.emplace_back(spec.drive, static_cast<double>(counts_per_rev(spec)));
-    const PositionLoop::Numbers& numbers = motor.numbers();
-    error_by_error_[axis] = numbers.error_by_error;
-    error_by_speed_[axis] = numbers.error_by_speed;
-    speed_by_error_[axis] = numbers.speed_by_error;
-    speed_by_speed_[axis] = numbers.speed_by_speed;
-    max_accel_[axis] = numbers.max_accel;
-    max_speed_[axis] = numbers.max_speed;
-    rest_speed_[axis] = numbers.rest_speed;
+    loops_.set(axis, motor.numbers());
   }
 }
 
@@ -35,24 +28,19 @@ std::uint8_t IndependentAxes::step(std::uint8_t axes, const MotorDemands& demand
   return axes;
 }
 
-// As PositionLoop::step(), operation for operation, so the same bits.
 std::uint8_t IndependentAxes::step_within_limits(Shafts& shafts) const {
-  std::array<WholePair, kAxisPairs> limited;
-  WholePair any_limited{};
+  std::array<PositionLoops::Events, kAxisPairs> events;
+  WholePair limited{};
   for (std::size_t i = 0; i < kAxisPairs; ++i) {
-    const Pair error_before = shafts.error.pair(i), speed_before = shafts.speed.pair(i);
-    const Pair error = error_by_error_.pair(i) * error_before + error_by_speed_.pair(i) * speed_before;
-    const Pair speed = speed_by_error_.pair(i) * error_before + speed_by_speed_.pair(i) * speed_before;
-    limited[i] = (magnitude(speed - speed_before) > max_accel_.pair(i)) | (magnitude(speed) > max_speed_.pair(i));
-    any_limited |= limited[i];
-    const WholePair rests =
-        (magnitude(error) < both(PositionLoop::kRestCounts)) & (magnitude(speed) < rest_speed_.pair(i));
-    shafts.error.set_pair(i, only(~rests, error));
-    shafts.speed.set_pair(i, only(~rests, speed));
+    Pair error = shafts.error.pair(i), speed = shafts.speed.pair(i);
+    loops_.step(i, error, speed, events[i]);
+    limited |= events[i].limited;
+    shafts.error.set_pair(i, error);
+    shafts.speed.set_pair(i, speed);
   }
   std::uint8_t axes = 0;
-  if (any(any_limited)) {
-    for (std::size_t axis = 0; axis < kAxes; ++axis) set_bit(axes, axis, limited[axis / 2][axis % 2] != 0);
+  if (any(limited)) {
+    for (std::size_t axis = 0; axis < kAxes; ++axis) set_bit(axes, axis, events[axis / 2].limited[axis % 2] != 0);
   }
   return axes;
 }

@@ -8,6 +8,7 @@
 #include "controller/base/axes.hpp"
 #include "cosim/plant/mechanics.hpp"
 #include "cosim/plant/position_loop.hpp"
+#include "cosim/plant/position_loops.hpp"
 #include "cosim/robot/robot_spec.hpp"
 
 namespace armature::cosim {
@@ -18,6 +19,7 @@ class IndependentAxes final : public Mechanics {
   explicit IndependentAxes(const RobotSpec& robot);
 
   std::uint8_t step(std::uint8_t axes, const MotorDemands& demands, Shafts& shafts) override;
+  [[nodiscard]] const PositionLoops* loops() const override { return &loops_; }
 
  private:
   // Makes a step of every axis that is within its limits. Returns the others, one bit each.
@@ -25,9 +27,7 @@ class IndependentAxes final : public Mechanics {
   void step_alone(std::size_t axis, bool controlled, Shafts& shafts) const;
 
   std::vector<PositionLoop> motors_;  // kAxes
-  // Their numbers, each for all axes.
-  AxisNumbers error_by_error_, error_by_speed_, speed_by_error_, speed_by_speed_;
-  AxisNumbers max_accel_, max_speed_, rest_speed_;
+  PositionLoops loops_;
 };
 
 }  // namespace armature::cosim

@@ -51,6 +51,8 @@ struct MotorDemands {
   }
 };
 
+class PositionLoops;
+
 class Mechanics {
  public:
   virtual ~Mechanics() = default;
@@ -58,6 +60,10 @@ class Mechanics {
   // Moves the shafts by one step (kPlantStep). `axes`: those that need it, one bit each, axis 1 is bit 0; the others
   // rest and their drives have no new demand. Returns the axes whose shafts it has stepped: at least `axes`.
   virtual std::uint8_t step(std::uint8_t axes, const MotorDemands& demands, Shafts& shafts) = 0;
+
+  // The position loops, if the axes do not act on each other and step() does nothing but step their shafts by them;
+  // null: it does more.
+  [[nodiscard]] virtual const PositionLoops* loops() const { return nullptr; }
 
   // For mechanics with a state of their own: keep() marks this moment, take_back() returns to it.
   virtual void keep() {}

@@ -1,6 +1,7 @@
 // Whole ticks of the plant. The same steps with the same arithmetic as with edges, so the same bits.
 #include <algorithm>
 #include <cstdlib>
+#include <span>
 #include <utility>
 
 #include "cosim/plant/plant.hpp"
@@ -27,8 +28,11 @@ bool Plant::begin_tick(const TickPulses& tick, Cycles spacing) {
     }
   }
   PlantTicks::State& begin = ticks_->begin;
-  begin.drives.clear();
-  for (const ServoDrive& drive : drives_) begin.drives.push_back(drive.state());
+  if (begin.drives.empty()) {
+    for (const ServoDrive& drive : drives_) begin.drives.push_back(drive.state());
+  } else {
+    for (std::size_t axis = 0; axis < kAxes; ++axis) begin.drives[axis] = drives_[axis].state();
+  }
   begin.shafts = shafts_;
   mechanics_->keep();
   begin.moving = moving_;
@@ -129,17 +133,16 @@ bool Plant::follow_each_step(std::size_t axis, Cycles spacing) {
 
 // The same for a motion in the direction of the latest count, which is not too fast: only its last steps are looked at.
 bool Plant::follow_one_way(std::size_t axis) {
-  const TickSteps& steps = ticks_->steps;
+  TickSteps& steps = ticks_->steps;
   IncrementalEncoder::Motions& motions = encoders_[axis].motions_to_change();
-  const Subcounts begin = motions.present.target;
-  const std::size_t last = steps.size() - 1;
-  const auto step = [&](std::size_t i) {
-    const Subcounts start = i == 0 ? begin : steps.position(i - 1, axis);
-    return IncrementalEncoder::Motion{steps.began(i), kPlantStep, start, steps.position(i, axis)};
+  const std::span<const Subcounts> way = steps.positions_from(motions.present.target, axis);
+  const auto step = [&](std::size_t end) {
+    return IncrementalEncoder::Motion{steps.began(end - 1), kPlantStep, way[end - 1], way[end]};
   };
-  motions.before = last == 0 ? motions.present : step(last - 1);
+  const std::size_t last = steps.size();
+  motions.before = last == 1 ? motions.present : step(last - 1);
   motions.present = step(last);
-  const Counts from = nearest_count(begin), to = nearest_count(motions.present.target);
+  const Counts from = nearest_count(way.front()), to = nearest_count(way.back());
   if (from == to) return true;
   const CountRange& quiet = ticks_->quiet[axis];
   if (!quiet.has(from) || !quiet.has(to)) {
@@ -147,18 +150,16 @@ bool Plant::follow_one_way(std::size_t axis) {
     ticks_->quiet[axis] = quiet_around(axis, to);
   }
 
-  Counts after = to;
-  for (std::size_t i = last + 1, found = 0; found < 2 && after != from; --i) {
-    const Counts before = i == 1 ? from : nearest_count(steps.position(i - 2, axis));
-    if (before == std::exchange(after, before)) continue;
-    if (found++ == 0) {
-      motions.counted_before = motions.counted;
-      motions.counted = step(i - 1);
-      ticks_->changed_in[axis] = steps.began(i - 1);
-    } else {
-      motions.counted_before = step(i - 1);
-    }
-  }
+  std::size_t counted = last;
+  while (nearest_count(way[counted - 1]) == to) --counted;
+  ticks_->changed_in[axis] = steps.began(counted - 1);
+  motions.counted_before = motions.counted;
+  motions.counted = step(counted);
+  const Counts before = nearest_count(way[counted - 1]);
+  if (before == from) return true;
+  std::size_t counted_before = counted - 1;
+  while (nearest_count(way[counted_before - 1]) == before) --counted_before;
+  motions.counted_before = step(counted_before);
   return true;
 }
 

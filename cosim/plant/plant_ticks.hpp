@@ -10,7 +10,7 @@
 #include "cosim/plant/incremental_encoder.hpp"
 #include "cosim/plant/mechanics.hpp"
 #include "cosim/plant/servo_drive.hpp"
-#include "cosim/plant/tick_steps.hpp"
+#include "cosim/plant/ticks/tick_steps.hpp"
 
 namespace armature::cosim {
 

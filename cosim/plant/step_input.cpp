@@ -46,11 +46,11 @@ std::string describe(const InputViolation& violation) {
 
 bool StepInput::accepts(const AxisPulses& pulses) const {
   if (pulses.count == 0) return true;
-  const Cycles level{pulses.window / (2 * pulses.pulses())};  // the shortest one
-  const Cycles first_rise = pulses.first + level;             // at the earliest
+  // Of the shortest level, which is also the time to the first rise at the earliest.
+  const auto lasts = [&](Cycles time) { return time.value() * 2 * pulses.pulses() <= pulses.window; };
   const bool held = pulses.turned <= pulses.fell || pulses.turned - pulses.fell >= timing_.dir_hold;
-  return held && level >= std::max(timing_.min_high, timing_.min_low) &&
-         first_rise - pulses.turned >= timing_.dir_setup;
+  return held && lasts(std::max(timing_.min_high, timing_.min_low)) &&
+         lasts(timing_.dir_setup - (pulses.first - pulses.turned));
 }
 
 void StepInput::resume(bool step, bool dir, Cycles changed, Cycles turned) {

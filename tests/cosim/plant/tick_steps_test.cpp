@@ -1,5 +1,5 @@
 // The steps of a tick for all axes at once, against the steps and pulses one by one.
-#include "cosim/plant/tick_steps.hpp"
+#include "cosim/plant/ticks/tick_steps.hpp"
 
 #include <gtest/gtest.h>
 
