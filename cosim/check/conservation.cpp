@@ -242,14 +242,20 @@ void Conservation::check_emitted(Cycles now, std::size_t axis, std::uint32_t val
   const auto shows = [axis, value](const PerAxis<std::int64_t>& emitted) {
     return value == static_cast<std::uint32_t>(emitted[axis]);
   };
-  if (shows(latest_emitted_) || (trigger_in_doubt(now) && shows(previous_emitted_))) return;
+  if (!shows(latest_emitted_) && !(trigger_in_doubt(now) && shows(previous_emitted_))) report_emitted(now, axis, value);
+}
+
+void Conservation::report_emitted(Cycles now, std::size_t axis, std::uint32_t value) {
   report(triggers_ - 1, axis, now,
          fmt::format("EMITTED reads {}, {} pulses were on the pins at the trigger", static_cast<std::int32_t>(value),
                      latest_emitted_[axis]));
 }
 
 void Conservation::check_position(Cycles now, std::size_t axis, std::uint32_t value) {
-  if (positions_.accepts(axis, value, trigger_in_doubt(now))) return;
+  if (!positions_.accepts(axis, value, trigger_in_doubt(now))) report_position(now, axis, value);
+}
+
+void Conservation::report_position(Cycles now, std::size_t axis, std::uint32_t value) {
   const auto& [min, max] = positions_.latest(axis);
   report(triggers_ - 1, axis, now,
          fmt::format("POSITION reads {}, the encoder showed {} .. {} counts before the trigger",

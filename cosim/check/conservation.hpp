@@ -114,6 +114,8 @@ class Conservation {
   void explain_shortage(Cycles now);
   void check_emitted(Cycles now, std::size_t axis, std::uint32_t value);
   void check_position(Cycles now, std::size_t axis, std::uint32_t value);
+  [[gnu::cold]] void report_emitted(Cycles now, std::size_t axis, std::uint32_t value);
+  [[gnu::cold]] void report_position(Cycles now, std::size_t axis, std::uint32_t value);
   void report(const Shortage& shortage);
   void report(std::int64_t tick, std::size_t axis, Cycles cycle, const std::string& what);
 

@@ -250,21 +250,6 @@ void Simulation::finish_access(const BusResponse& response) {
   read_host_memory();
 }
 
-// Of an access without an error that has ended at `now`, and has read this. Returns false if it ends the run.
-bool Simulation::check_access(const BusRequest& request, std::uint32_t read, Cycles now) {
-  if (request.write) {
-    ++end_.bus_writes;
-    conservation_.on_write(now, request.addr, request.data);
-  } else {
-    ++end_.bus_reads;
-    software_.on_read(read);
-    conservation_.on_read(now, request.addr, read);
-  }
-  if (conservation_.violation()) [[unlikely]]
-    fail_conservation();
-  return !over_;
-}
-
 void Simulation::fail_conservation() {
   fail(*conservation_.violation());
 }

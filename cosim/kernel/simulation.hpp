@@ -122,7 +122,21 @@ class Simulation final : private RunAhead {
   [[nodiscard]] SocInputs inputs() const;
   void act(const ScriptAction& action);
   void finish_access(const BusResponse& response);
-  bool check_access(const BusRequest& request, std::uint32_t read, Cycles now);
+  // Of an access without an error that has ended at `now`, and has read this. Returns false if it ends the run. There
+  // are so many that a call would cost as much as the work.
+  [[gnu::always_inline]] bool check_access(const BusRequest& request, std::uint32_t read, Cycles now) {
+    if (request.write) {
+      ++end_.bus_writes;
+      conservation_.on_write(now, request.addr, request.data);
+    } else {
+      ++end_.bus_reads;
+      software_.on_read(read);
+      conservation_.on_read(now, request.addr, read);
+    }
+    if (conservation_.violation()) [[unlikely]]
+      fail_conservation();
+    return !over_;
+  }
   void fail_conservation();
   void grant_bus();
   void give(const CommandSpec& move);

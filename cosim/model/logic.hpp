@@ -70,9 +70,6 @@ class Logic {
   bool edge() {
     if (!wakes_known_) find_wakes();
     now_ += Cycles{1};
-    // All levels before the edge.
-    const PulseInputs pulses = pulse_inputs();
-    const DecoderInputs decoder = decoder_inputs();
     std::uint32_t due = 0;
     const auto is_due = [&](std::size_t port) {
       const bool is = wakes_[port] <= now_;
@@ -81,14 +78,15 @@ class Logic {
     };
     const bool gpio = is_due(0), timer = is_due(1), uart = is_due(2), generators = is_due(3), decoders = is_due(4),
                kinematics = is_due(5);
+    // All inputs are levels before the edge: outputs_ changes after it.
     if (gpio) gpio_.edge(now_, gpio_inputs(), {});
     if (timer) timer_.edge(now_, timer_inputs(), {});
     if (uart) uart_.edge(now_, uart_inputs(), {});
-    if (generators) pulses_.edge(now_, pulses, {});
+    if (generators) pulses_.edge(now_, pulse_inputs(), {});
     if (decoders || kinematics) {
       const std::array<Strobes, kBlocks - 4> none;
       std::array<Answer, kBlocks - 4> answers;
-      variant_.edge(now_, in_, decoder, none.data(), answers.data());
+      variant_.edge(now_, in_, decoder_inputs(), none.data(), answers.data());
     }
     const bool changed = show_outputs(due);
     if (gpio) wakes_[0] = gpio_.wakes_at(now_, gpio_inputs());
@@ -158,8 +156,7 @@ class Logic {
         return staged ? std::optional{0u} : std::nullopt;
       }
       if (base == Variant::kBases[4]) return variant_.encoder().peek(offset);
-      if (base == Variant::kBases[3]) return pulses_.block().peek(at, offset);
-      if (base == Variant::kBases[0]) return gpio_.block().peek(offset);
+      return peek(base, at, offset);
     }
     return std::nullopt;
   }
@@ -200,6 +197,11 @@ class Logic {
   }
 
  private:
+  [[gnu::noinline]] std::optional<std::uint32_t> peek(std::uint32_t base, Cycles at, std::uint32_t offset) const {
+    if (base == Variant::kBases[3]) return pulses_.block().peek(at, offset);
+    return base == Variant::kBases[0] ? gpio_.block().peek(offset) : std::nullopt;
+  }
+
   static constexpr std::uint32_t kAllPorts = (1u << kBlocks) - 1;
   // The blocks behind these ports can have an edge alone; those of the paper's decoder cannot.
   static constexpr std::size_t kQuickPorts = Variant::kHasIk ? kBlocks : 4;

@@ -37,6 +37,7 @@ class StopControl {
   [[nodiscard]] bool stops(const Inputs& in) const { return in.pin_low || in.stop || estop_ || watchdog_; }
 
   Events edge(Cycles at, const Inputs& in) {
+    leave_out(at - Cycles{1}, in.tick);
     const bool stopped = stops(in);
     const bool counts = in.run && !stopped;
     Events events;
@@ -60,12 +61,19 @@ class StopControl {
     return events;
   }
 
+  // Edges up to `at`, before wakes_at(), were not computed. Call it before TICK_CYCLES, which was `tick`, changes.
+  void leave_out(Cycles at, Cycles tick) {
+    if (!counting_ || at < own_end_at_) return;
+    own_tick_ = true;
+    own_end_at_ += length(tick);
+  }
+
   // The next edge that must be computed. `in`: what the coming edge will see.
   [[nodiscard]] Cycles wakes_at(Cycles at, const Inputs& in) const {
     const bool stopped = stops(in);
     const bool due = in.trigger || own_tick_ || (in.run && !stopped) != counting_ || in.pin_low != pin_was_low_ ||
                      (stopped && in_a_row_ != 0) || in.stop || in.clear_estop || in.clear_watchdog;
-    return due ? at + Cycles{1} : counting_ ? own_end_at_ : kNever;
+    return due ? at + Cycles{1} : counting_ ? own_end_at_ + Cycles{1} : kNever;
   }
 
   // Whether nothing stops pulses up to the next trigger if neither pins nor registers change.
@@ -81,22 +89,23 @@ class StopControl {
   [[nodiscard]] std::uint32_t underruns() const { return underruns_; }
 
  private:
+  [[nodiscard]] static Cycles length(Cycles tick) { return std::max(tick, Cycles{2}); }
+
   // An own tick begins when counting begins, and with each set. It ends after TICK_CYCLES edges, and takes effect one
   // edge later.
   void count_own_ticks(Cycles at, bool counts, bool set_begins, Cycles tick) {
-    const Cycles length = std::max(tick, Cycles{2});
     if (!counts) {
       counting_ = own_tick_ = false;
       idle_ticks_ = 0;
     } else if (!counting_ || set_begins) {
       counting_ = true;
-      own_end_at_ = at + length - Cycles{1};
+      own_end_at_ = at + length(tick) - Cycles{1};
       own_tick_ = false;
       idle_ticks_ = 0;
     } else {
       idle_ticks_ = (idle_ticks_ + own_tick_) & 0xFF;
       own_tick_ = at == own_end_at_;
-      if (own_tick_) own_end_at_ += length;
+      if (own_tick_) own_end_at_ += length(tick);
     }
   }
 

@@ -100,6 +100,7 @@ void PulseAxis::toggle(Cycles at) {
     unfinished_ -= positive_ ? 1 : -1;
   } else {
     running_ = unfinished_ != 0;
+    if (!running_) return;  // no change of this tick is left
   }
   const std::int64_t edges = (window_ - gained_ + increment_ - 1) / increment_;
   toggle_at_ = at + Cycles{edges};

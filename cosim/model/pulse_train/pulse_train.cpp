@@ -81,6 +81,7 @@ Answer PulseTrain::access(Cycles at, const Strobes& access, const PulseInputs&) 
   Answer answer;
   if (access.read) answer = read(at, word_offset(access.raddr));
   if (!access.write) return answer;
+  stop_.leave_out(at, times_.tick);
   cleared_faults_ = 0;
   answer.werr = write(access);
   if (element_at(word_offset(access.waddr), train_regs::kCountOffset))
@@ -161,11 +162,14 @@ void PulseTrain::find_wake(Cycles at, const PulseInputs& in) {
 
 std::optional<TickPulses> PulseTrain::whole_tick(Cycles at) const {
   if (gated_clock_stopped_ || !stop_.is_calm(stop_inputs(false)) || orders_.stop) return std::nullopt;
-  TickPulses tick{.begins = at, .ends = at + times_.tick};
+  std::optional<TickPulses> tick{TickPulses{.begins = at, .ends = at + times_.tick}};
   for (std::size_t i = 0; i < kAxes; ++i) {
     const std::optional<AxisPulses> pulses = axes_[i].whole_tick(times_);
-    if (!pulses) return std::nullopt;
-    tick.axes[i] = *pulses;
+    if (!pulses) {
+      tick.reset();
+      break;
+    }
+    tick->axes[i] = *pulses;
   }
   return tick;
 }
