@@ -13,10 +13,11 @@ constexpr const char* kProcessEnded = "the process of the run has ended";
 
 }  // namespace
 
-ReversibleRun::ReversibleRun(const Scenario& scenario, const std::vector<StopCondition*>& conditions) {
+ReversibleRun::ReversibleRun(const Scenario& scenario, const std::vector<StopCondition*>& conditions,
+                             KeepTrace keep_trace) {
   auto [ours, of_run] = MessageChannel::pair();
   process_ = copy_this_process(of_run.descriptor());
-  if (process_ == 0) serve_run(scenario, conditions, of_run);
+  if (process_ == 0) serve_run(scenario, conditions, keep_trace, of_run);
   channel_ = std::move(ours);
   of_run.close();
   go_to(Cycles{0});

@@ -28,9 +28,11 @@ namespace armature::cosim {
 
 class ReversibleRun {
  public:
-  // At cycle 0. The process of the run has its own scenario and conditions, as they are now. Throws std::runtime_error,
-  // as the others, when the process cannot be made, has ended, or says that the run cannot continue.
-  explicit ReversibleRun(const Scenario& scenario, const std::vector<StopCondition*>& conditions = {});
+  // At cycle 0. The process of the run has its own scenario and conditions, as they are now. The trace, if it is kept,
+  // is in its memory. Throws std::runtime_error, as the others, when the process cannot be made, has ended, or says
+  // that the run cannot continue.
+  explicit ReversibleRun(const Scenario& scenario, const std::vector<StopCondition*>& conditions = {},
+                         KeepTrace keep_trace = KeepTrace::kNo);
   ReversibleRun(const ReversibleRun&) = delete;
   ReversibleRun& operator=(const ReversibleRun&) = delete;
   ~ReversibleRun();
@@ -49,7 +51,7 @@ class ReversibleRun {
 
   // Advances to the end of the run and ends it. The texts are those of summary.json and trace.csv of a run that went
   // there directly and was not compared with its golden; only the figures under "host" differ. The run can be taken
-  // back afterwards, and be finished again.
+  // back afterwards, and be finished again. `trace` is empty if it was not kept.
   struct Results {
     std::string summary, trace;
   };

@@ -11,6 +11,9 @@
 
 namespace armature::cosim {
 
+// Whether the process keeps the trace of the run, as long as it goes on.
+enum class KeepTrace : bool { kNo, kYes };
+
 struct RunRequest {
   enum class Kind : std::uint8_t {
     kGoTo,           // the cycle `to`, forwards or backwards, or the end of the run before it

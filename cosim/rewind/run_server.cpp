@@ -31,10 +31,11 @@ constexpr PointPacing::Rules kPacing{
 
 class RunServer final : private RunListener {
  public:
-  RunServer(const Scenario& scenario, const std::vector<StopCondition*>& conditions, MessageChannel& channel)
-      : conditions_{conditions}, channel_{channel}, points_{channel.descriptor()}, trace_{scenario}, run_{scenario} {
+  RunServer(const Scenario& scenario, const std::vector<StopCondition*>& conditions, KeepTrace keep_trace,
+            MessageChannel& channel)
+      : conditions_{conditions}, channel_{channel}, points_{channel.descriptor()}, run_{scenario} {
     run_.add(digest_);
-    run_.add(trace_);
+    if (keep_trace == KeepTrace::kYes) run_.add(trace_.emplace(scenario));
     run_.add(*this);
     for (StopCondition* condition : conditions) run_.add(*condition);
   }
@@ -49,7 +50,7 @@ class RunServer final : private RunListener {
         channel_.send(*answer);
         if (request.kind == RunRequest::Kind::kFinish) {
           send_text(*summary_);
-          send_text(trace_.text());
+          send_text(trace_ ? std::string_view{trace_->text()} : std::string_view{});
         }
         went_back_ = false;
       }
@@ -140,7 +141,7 @@ class RunServer final : private RunListener {
   MessageChannel& channel_;
   ReturnPoints points_;
   RunDigest digest_;
-  TraceText trace_;
+  std::optional<TraceText> trace_;
   std::vector<Cycles> triggers_;  // of each tick
   Run run_;
   std::optional<std::string> summary_;  // of the run, which has ended
@@ -152,9 +153,10 @@ class RunServer final : private RunListener {
 
 }  // namespace
 
-void serve_run(const Scenario& scenario, const std::vector<StopCondition*>& conditions, MessageChannel& channel) {
+void serve_run(const Scenario& scenario, const std::vector<StopCondition*>& conditions, KeepTrace keep_trace,
+               MessageChannel& channel) {
   try {
-    RunServer{scenario, conditions, channel}.serve();
+    RunServer{scenario, conditions, keep_trace, channel}.serve();
   } catch (const std::exception& error) {
     RunAnswer answer;
     const std::string_view text{error.what()};

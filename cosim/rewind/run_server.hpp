@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "cosim/rewind/run_messages.hpp"
 #include "cosim/rewind/stop_condition.hpp"
 #include "cosim/scenario/scenario.hpp"
 #include "cosim/snapshot/message_channel.hpp"
@@ -11,6 +12,6 @@ namespace armature::cosim {
 
 // Ends the process when the other end of the channel is closed.
 [[noreturn]] void serve_run(const Scenario& scenario, const std::vector<StopCondition*>& conditions,
-                            MessageChannel& channel);
+                            KeepTrace keep_trace, MessageChannel& channel);
 
 }  // namespace armature::cosim

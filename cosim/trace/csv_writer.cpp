@@ -6,7 +6,6 @@
 #include <string>
 
 #include "cosim/text/input_error.hpp"
-#include "cosim/trace/columns.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -20,12 +19,12 @@ constexpr std::size_t kCsvBufferSize = std::size_t{256} * 1024;
 }  // namespace
 
 CsvWriter::CsvWriter(const std::filesystem::path& file, std::int64_t every_ticks, ToolColumns tool_columns)
-    : path_{file}, every_ticks_{every_ticks}, tool_columns_{tool_columns}, buffer_(kCsvBufferSize) {
+    : path_{file}, lines_{every_ticks, tool_columns}, buffer_(kCsvBufferSize) {
   if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
   file_.reset(std::fopen(file.c_str(), "wb"));
   if (file_ == nullptr) fail(path_);
   std::setvbuf(file_.get(), nullptr, _IONBF, 0);  // buffered here
-  const std::string header = trace_header(tool_columns_) + '\n';
+  const std::string header = lines_.header();
   used_ = static_cast<std::size_t>(std::copy(header.begin(), header.end(), buffer_.begin()) - buffer_.begin());
 }
 
@@ -34,9 +33,8 @@ CsvWriter::~CsvWriter() {
 }
 
 void CsvWriter::append(const TraceRow& row, const IntegerDigest& digest) {
-  if (kCsvBufferSize - used_ < kMaxRowText + 1) flush();
-  char* end = append_row(buffer_.data() + used_, row, digest.prefix(), tool_columns_);
-  *end++ = '\n';
+  if (kCsvBufferSize - used_ < TraceLines::kMaxText) flush();
+  const char* const end = lines_.append(buffer_.data() + used_, row, digest);
   used_ = static_cast<std::size_t>(end - buffer_.data());
   ++rows_;
 }

@@ -9,12 +9,13 @@
 
 #include "cosim/trace/columns.hpp"
 #include "cosim/trace/integer_digest.hpp"
+#include "cosim/trace/trace_lines.hpp"
 #include "cosim/trace/trace_row.hpp"
 
 namespace armature::cosim {
 
-// One line of header (columns.hpp), then one line for every tick that is a multiple of `every_ticks`. Lines end with
-// '\n'. After write_through(), close() or destruction the file on disk contains whole lines only.
+// The lines are those of TraceLines. After write_through(), close() or destruction the file on disk contains whole
+// lines only.
 class CsvWriter {
  public:
   // Creates missing folders. Throws std::runtime_error naming the file when it cannot be written, as does every call.
@@ -25,7 +26,7 @@ class CsvWriter {
 
   // `digest` includes this row and all rows before it.
   void write(const TraceRow& row, const IntegerDigest& digest) {
-    if (row.tick % every_ticks_ == 0) append(row, digest);
+    if (lines_.has(row)) append(row, digest);
   }
   // Writes all rows so far to the file, so that they remain when this process is killed.
   void write_through() { flush(); }
@@ -41,8 +42,7 @@ class CsvWriter {
 
   std::filesystem::path path_;
   std::unique_ptr<std::FILE, Close> file_;
-  std::int64_t every_ticks_;
-  ToolColumns tool_columns_;
+  TraceLines lines_;
   std::int64_t rows_ = 0;
   std::vector<char> buffer_;
   std::size_t used_ = 0;

@@ -161,7 +161,7 @@ void expect_results_of_plain_run(Scenario scenario) {
   test::RecordedRun plain{scenario};
   plain.run().advance(kEndOfTime);
   const test::RunTexts wanted = plain.finish();
-  ReversibleRun run{scenario};
+  ReversibleRun run{scenario, {}, KeepTrace::kYes};
   for (const Cycles cycle : random_cycles(scenario, 20)) run.go_to(cycle);
   for (int time = 0; time < 2; ++time) {
     const ReversibleRun::Results results = run.finish();
@@ -183,9 +183,17 @@ TEST(ReversibleRun, HasTheResultsOfAPlainRunOnTheRtl) {
 }
 
 TEST(ReversibleRun, IsFinishedOnceMoreAtItsEnd) {
-  ReversibleRun run{lively_on(Engine::kModel)};
+  ReversibleRun run{lively_on(Engine::kModel), {}, KeepTrace::kYes};
   const ReversibleRun::Results first = run.finish(), second = run.finish();
+  EXPECT_FALSE(first.trace.empty());
   EXPECT_TRUE(first.summary == second.summary && first.trace == second.trace);
+}
+
+TEST(ReversibleRun, KeepsNoTraceUnlessItIsAskedTo) {
+  ReversibleRun run{lively_on(Engine::kModel)};
+  const ReversibleRun::Results results = run.finish();
+  EXPECT_FALSE(results.summary.empty());
+  EXPECT_TRUE(results.trace.empty());
 }
 
 class OnFault final : public StopCondition {
