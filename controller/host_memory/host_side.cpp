@@ -26,16 +26,21 @@ std::optional<Event> HostSide::next_event() noexcept {
 }
 
 std::optional<Telemetry> HostSide::new_telemetry() noexcept {
+  std::optional<Telemetry> telemetry{std::in_place};
+  if (!read_new(*telemetry)) telemetry.reset();
+  return telemetry;
+}
+
+bool HostSide::read_new(Telemetry& telemetry) noexcept {
   const std::atomic_ref<std::uint32_t> published{memory_.telemetry.published};
   const std::uint32_t before = published.load(std::memory_order_acquire);
-  if (before == last_published_ || before % 2 != 0) return std::nullopt;
-  std::optional<Telemetry> telemetry{std::in_place};
+  if (before == last_published_ || before % 2 != 0) return false;
   std::size_t at = 0;
-  const bool valid = take(memory_.telemetry.body.data(), at, *telemetry);
+  const bool valid = take(memory_.telemetry.body.data(), at, telemetry);
   std::atomic_thread_fence(std::memory_order_acquire);
-  if (!valid || published.load(std::memory_order_relaxed) != before) return std::nullopt;
+  if (!valid || published.load(std::memory_order_relaxed) != before) return false;
   last_published_ = before;
-  return telemetry;
+  return true;
 }
 
 }  // namespace armature::host_memory

@@ -50,6 +50,9 @@ class HostSide {
   // The telemetry of the last tick, returned once for each published tick. Nothing when there is no new one, or while
   // it is being written.
   [[nodiscard]] std::optional<Telemetry> new_telemetry() noexcept;
+  // The same into `telemetry`, for a caller that keeps it. Returns false, and leaves it as it is, if there is no new
+  // one; it is undefined if one was being written meanwhile.
+  bool read_new(Telemetry& telemetry) noexcept;
 
  private:
   [[nodiscard]] static std::uint32_t load(std::uint32_t& word) noexcept {

@@ -86,32 +86,35 @@ bool Simulation::advance(Cycles until) {
 void Simulation::step() {
   if (std::exchange(pins_changed_, false)) on_pins_changed();
   deliver_due_events();
-  over_ = over_ || now() >= end();
+  const Cycles here = now(), end = this->end();
+  over_ = over_ || here >= end;
   if (over_) return;
   // In that cycle the core waits for something that is due.
   const bool was_ahead = std::exchange(core_was_ahead_, false);
-  if (was_ahead && (pins_changed_ || response_ || soc_->has_response() || processor_->next_event() <= now())) return;
-  const Cycles next = std::clamp(next_event(), now() + Cycles{1}, std::min(end(), until_));
+  if (was_ahead && (pins_changed_ || response_ || soc_->has_response() || processor_->next_event() <= here)) return;
+  const Cycles next = std::clamp(next_event(), here + Cycles{1}, std::min(end, until_));
   if (wave_.is_open()) software_.show(*processor_, access_, triggers_ - 1, row_.telemetry.state);
   move_arm(next);
 }
 
 // Runs to `until`, or until something happens that concerns more than pulses, drives and encoders.
 void Simulation::move_arm(Cycles until) {
-  for (;;) {
-    const Cycles next = std::clamp(std::min(plant_.next_event(), ticks_.next_event()), now() + Cycles{1}, until);
+  for (Cycles here = now();;) {
+    const Cycles next = std::clamp(std::min(plant_.next_event(), ticks_.next_event()), here + Cycles{1}, until);
     const bool others = soc_->advance(next, StopOn::kPinChange) && on_pins_changed();
     begin_tick();
-    if (others || core_was_ahead_ || over_ || now() >= until || soc_->has_response()) return;
-    if (plant_.next_event() <= now()) advance_plant();
+    here = now();
+    if (others || core_was_ahead_ || over_ || here >= until || soc_->has_response()) return;
+    if (plant_.next_event() <= here) advance_plant();
     if (over_) return;
   }
 }
 
 // Or computes the edges of one that has no end, if this is due.
 void Simulation::begin_tick() {
-  if (ticks_.next_event() > now()) return;
-  if (ticks_.advance(now(), !wave_.is_open() && injector_.is_quiet())) drive_inputs();
+  const Cycles here = now();
+  if (ticks_.next_event() > here) return;
+  if (ticks_.advance(here, !wave_.is_open() && injector_.is_quiet())) drive_inputs();
 }
 
 void Simulation::advance_plant() {
@@ -197,9 +200,10 @@ Cycles Simulation::next_action() const {
 }
 
 void Simulation::deliver_due_events() {
-  if (const auto next = wave_.next_event(); next && *next <= now()) compute_edges();
-  wave_.advance(now(), *soc_);
-  if (plant_.next_event() <= now()) advance_plant();
+  const Cycles here = now();
+  if (const auto next = wave_.next_event(); next && *next <= here) compute_edges();
+  wave_.advance(here, *soc_);
+  if (plant_.next_event() <= here) advance_plant();
   while (const auto action = script_.pop_due(now())) act(*action);
   if (serial_) advance_serial();
   if (!response_) response_ = soc_->pop_response();
@@ -279,7 +283,7 @@ void Simulation::read_host_memory() {
       drop_program(Refusal::kReplaced);
     }
   }
-  if (const std::optional<Telemetry> telemetry = host_.new_telemetry()) row_.telemetry = *telemetry;
+  host_.read_new(row_.telemetry);  // the controller does not run meanwhile
   if (const host_memory::BootReport* report = host_.boot_problem()) fail(boot_text(*report));
   if (host_.lost_events() != 0) fail("the host memory of the controller had no room for an event");
 }
@@ -293,10 +297,11 @@ bool Simulation::on_pins_changed() {
   others.heartbeat = out.heartbeat;
   if (!wave_.is_open()) others.trigger = out.trigger;  // a waveform shows the number of the tick
   const bool triggers = out.trigger && !trigger_was_high_;
-  if (triggers && ticks_.on_trigger(now())) drive_inputs();
-  plant_.on_outputs(now(), out);
-  conservation_.on_outputs(now(), out);
-  if (serial_) serial_->on_level(now(), out.uart_txd);
+  const Cycles here = now();
+  if (triggers && ticks_.on_trigger(here)) drive_inputs();
+  plant_.on_outputs(here, out);
+  conservation_.on_outputs(here, out);
+  if (serial_) serial_->on_level(here, out.uart_txd);
   if (const auto& violation = plant_.violation()) fail(describe(*violation));
   if (out.gpio != tool_outputs_) report_outputs(out.gpio);
   report_servo_enables();
@@ -305,7 +310,7 @@ bool Simulation::on_pins_changed() {
   const bool concern_others = others != out;
   if (out.irq != interrupts_) {
     begin_tick();  // the core that wakes may run ahead in it
-    processor_->set_interrupts(interrupts_ = out.irq, now());
+    processor_->set_interrupts(interrupts_ = out.irq, here);
     read_host_memory();
   }
   return concern_others;
@@ -328,7 +333,8 @@ void Simulation::report_outputs(std::uint16_t levels) {
 }
 
 void Simulation::on_trigger() {
-  conservation_.on_trigger(now());
+  const Cycles here = now();
+  conservation_.on_trigger(here);
   if (conservation_.violation()) fail_conservation();
   if (belt_) host_.publish_belt(belt_counts());
   // The time before the first trigger was start-up, not a tick.
@@ -336,7 +342,7 @@ void Simulation::on_trigger() {
 
   const std::uint8_t servo_on = soc_->outputs().servo_on;
   row_.tick = triggers_++;
-  row_.cycle = now().value();
+  row_.cycle = here.value();
   row_.stopped = servo_was_on_ && servo_on == 0;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     row_.pin_pulses[axis] = conservation_.pin_pulses(axis);
@@ -344,7 +350,7 @@ void Simulation::on_trigger() {
     row_.motor_counts[axis] = plant_.motor_counts(axis).value();
     row_.first_rise[axis] = conservation_.edges_of_tick(axis).first_rise.value();
     row_.turned[axis] = conservation_.edges_of_tick(axis).turned.value();
-    const Plant::MotorStep motor = plant_.motor_step_before(axis, now());
+    const Plant::MotorStep motor = plant_.motor_step_before(axis, here);
     row_.motor_from[axis] = motor.start.value();
     row_.motor_to[axis] = motor.target.value();
   }
@@ -364,11 +370,12 @@ void Simulation::on_trigger() {
 // Since the beginning of the run.
 std::array<CoreLoad, 2> Simulation::load_until_now() const {
   std::array<CoreLoad, 2> load;
+  const Cycles here = now();
   for (std::size_t core = 0; core < load.size(); ++core) {
     const bool on_bus = access_ && access_->core == static_cast<int>(core);
-    load[core].awake_cycles = processor_->awake(static_cast<int>(core), now()).value();
+    load[core].awake_cycles = processor_->awake(static_cast<int>(core), here).value();
     load[core].instructions = processor_->instructions(static_cast<int>(core));
-    load[core].bus_cycles = (bus_time_[core] + (on_bus ? now() - access_since_ : Cycles{})).value();
+    load[core].bus_cycles = (bus_time_[core] + (on_bus ? here - access_since_ : Cycles{})).value();
   }
   return load;
 }

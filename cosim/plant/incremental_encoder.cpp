@@ -15,8 +15,7 @@ constexpr std::int64_t floor_div(std::int64_t a, std::int64_t b) {
 
 // The count that the encoder shows `elapsed` cycles after the start of the motion.
 Counts count_in(const IncrementalEncoder::Motion& motion, std::int64_t elapsed) {
-  const Counts begin = nearest_count(motion.start), end = nearest_count(motion.target);
-  if (begin == end || elapsed >= motion.length.value()) return end;
+  if (elapsed >= motion.length.value()) return nearest_count(motion.target);
   const std::int64_t way = (motion.target - motion.start).value() * elapsed;
   // A constant needs no division.
   const std::int64_t moved =
@@ -94,7 +93,7 @@ void IncrementalEncoder::move_without_edges(Cycles from, Cycles length, Subcount
   motions_.counted = motions_.present;
 }
 
-Counts IncrementalEncoder::count_after(Cycles at) const {
+Counts IncrementalEncoder::count_on_the_way(Cycles at) const {
   const Motion &present = motions_.present, &before = motions_.before;
   if (at >= present.from) return count_in(present, (at - present.from).value());
   return at >= before.from ? count_in(before, (at - before.from).value()) : nearest_count(before.start);

@@ -30,7 +30,10 @@ class IncrementalEncoder {
   // As move(). count() stands still until resume().
   void move_without_edges(Cycles from, Cycles length, Subcounts target);
   // The count after the edges up to the cycle `at`, which is in this motion or in the one before it, or later.
-  [[nodiscard]] Counts count_after(Cycles at) const;
+  [[nodiscard]] Counts count_after(Cycles at) const {
+    const Counts count = target_count();
+    return at >= motions_.present.from && nearest_count(start()) == count ? count : count_on_the_way(at);
+  }
   // The cycle of the latest edge up to `at` in the motions without edges; none: not known.
   [[nodiscard]] std::optional<Cycles> edge_before(Cycles at) const;
   // Executes the edges that are left out up to the cycle `at`.
@@ -98,6 +101,7 @@ class IncrementalEncoder {
     Counts before{};
   };
 
+  [[nodiscard]] Counts count_on_the_way(Cycles at) const;
   void begin_motion(Cycles from, Cycles length, Subcounts target);
   [[nodiscard]] Cycles find_next_edge() const;
 

@@ -34,13 +34,13 @@ std::uint8_t IndependentAxes::step_within_limits(Shafts& shafts) const {
   for (std::size_t i = 0; i < kAxisPairs; ++i) {
     Pair error = shafts.error.pair(i), speed = shafts.speed.pair(i);
     loops_.step(i, error, speed, events[i]);
-    limited |= events[i].limited;
+    limited |= ~events[i].within;
     shafts.error.set_pair(i, error);
     shafts.speed.set_pair(i, speed);
   }
   std::uint8_t axes = 0;
   if (any(limited)) {
-    for (std::size_t axis = 0; axis < kAxes; ++axis) set_bit(axes, axis, events[axis / 2].limited[axis % 2] != 0);
+    for (std::size_t axis = 0; axis < kAxes; ++axis) set_bit(axes, axis, events[axis / 2].within[axis % 2] == 0);
   }
   return axes;
 }

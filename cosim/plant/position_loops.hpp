@@ -24,15 +24,16 @@ class PositionLoops {
 
   // What has happened in steps.
   struct Events {
-    WholePair limited{};  // the step exceeds a limit, and is not that of PositionLoop
-    WholePair rested{};   // the shaft was set to rest
+    WholePair within{~0, ~0};  // no limit has acted; otherwise a step was not that of PositionLoop
+    WholePair rested{};        // the shaft was set to rest
   };
   // A step of the shafts of the pair `i`.
   void step(std::size_t i, Pair& error, Pair& speed, Events& events) const {
     const Pair error_before = error, speed_before = speed;
     error = error_by_error_.pair(i) * error_before + error_by_speed_.pair(i) * speed_before;
     speed = speed_by_error_.pair(i) * error_before + speed_by_speed_.pair(i) * speed_before;
-    events.limited |= (magnitude(speed - speed_before) > max_accel_.pair(i)) | (magnitude(speed) > max_speed_.pair(i));
+    events.within &= magnitude(speed - speed_before) <= max_accel_.pair(i);
+    events.within &= magnitude(speed) <= max_speed_.pair(i);
     const WholePair rests =
         (magnitude(error) < both(PositionLoop::kRestCounts)) & (magnitude(speed) < rest_speed_.pair(i));
     events.rested |= rests;

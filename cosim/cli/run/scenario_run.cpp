@@ -57,9 +57,9 @@ void keep_pace(Pace& pace, double simulated_s) {
   }
 }
 
-// A tick of simulated time. It takes less than a millisecond of host time, some milliseconds while a waveform is
-// written or the controller plans.
-constexpr Cycles kSlice = armature::kTickCycles;
+// Half a millisecond of simulated time. It takes a millisecond of host time at most, a tenth of a second while a
+// waveform is written or the controller plans.
+constexpr Cycles kSlice{10 * armature::kTickCycles.value()};
 
 // Whether snapshots of the run can write its waveforms: the engine has the signals, and nobody outside talks to it.
 bool can_show_again(const Scenario& scenario, const ScenarioRunOptions& options) {

@@ -82,7 +82,7 @@ WholePair TickSteps::step_pair(std::size_t i, Cycles ends, const PositionLoops& 
   shafts.error.set_pair(i, error);
   shafts.speed.set_pair(i, speed);
   extremes_.set(i, extremes);
-  exact = exact && !any(inexact | events.limited | (extremes.largest_error > both(kNearCounts)));
+  exact = exact && !any(inexact | ~events.within | (extremes.largest_error > both(kNearCounts)));
   return events.rested;
 }
 

@@ -50,10 +50,10 @@ class TickSteps {
       // A step that began with the error `before`.
       void add(Pair before, Pair error) {
         const Pair size = magnitude(error), way = error - before;
-        smallest_error = smaller(size, smallest_error);
-        largest_error = larger(size, largest_error);
-        least_way = smaller(way, least_way);
-        most_way = larger(way, most_way);
+        smallest_error = smaller(smallest_error, size);
+        largest_error = larger(largest_error, size);
+        least_way = smaller(least_way, way);
+        most_way = larger(most_way, way);
       }
     };
 

@@ -45,7 +45,7 @@ ToolPoint ToolPointMeter::measure(const Telemetry& telemetry) const {
 }
 
 Eigen::Vector3d ToolPointMeter::set_point_mm(const Telemetry& telemetry) const {
-  return (arm_.forward(telemetry.reference) * flange_T_tool_).position_mm;
+  return arm_.forward(telemetry.reference) * flange_T_tool_.position_mm;
 }
 
 }  // namespace armature::cosim
