@@ -41,7 +41,7 @@ Answer PulseTrain::edge(Cycles at, const Strobes& access, const PulseInputs& in)
   }
   if (is_settled_ && !stopped && at < axes_wake_at_ && !access.any() && !in.trigger &&
       pins_.are_settled(arm_pins(in))) {
-    stop_edge(at, control, in);
+    quiet_edge(at, control, in);
     return answer;
   }
   if (access.read) answer = read(at, word_offset(access.raddr));
@@ -67,10 +67,14 @@ Answer PulseTrain::edge(Cycles at, const Strobes& access, const PulseInputs& in)
   return answer;
 }
 
-// An edge at which nothing is due but the end of an own tick.
-void PulseTrain::stop_edge(Cycles at, const StopControl::Inputs& control, const PulseInputs& in) {
-  if (stop_.edge(at, control).watchdog) {
-    faults_.edge(at, kWatchdogFault, 0);
+// An edge at which nothing is due but a commit and the end of an own tick.
+void PulseTrain::quiet_edge(Cycles at, const StopControl::Inputs& control, const PulseInputs& in) {
+  const bool commit = orders_.commit, recommit = commit && bank_.pending;
+  const bool watchdog = stop_.edge(at, control).watchdog;
+  if (commit) move_bank(false, false);
+  orders_.commit = false;
+  if (watchdog || recommit || clipped_) {
+    faults_.edge(at, (watchdog ? kWatchdogFault : 0u) | (recommit ? kRecommitFault : 0u), 0);
     find_wake(at, in);
   } else {
     wakes_at_ = std::min(axes_wake_at_, stop_.wakes_at(at, control));
@@ -84,10 +88,10 @@ Answer PulseTrain::access(Cycles at, const Strobes& access, const PulseInputs&) 
   stop_.leave_out(at, times_.tick);
   cleared_faults_ = 0;
   answer.werr = write(access);
-  if (element_at(word_offset(access.waddr), train_regs::kCountOffset))
-    return answer;  // which acts when it is committed
+  const std::uint32_t offset = word_offset(access.waddr);
+  if (element_at(offset, train_regs::kCountOffset)) return answer;  // which acts when it is committed
   faults_.edge(at, 0, cleared_faults_);
-  is_settled_ = false;
+  is_settled_ = is_settled_ && offset == train_regs::kCommitOffset;
   wakes_at_ = at + Cycles{1};
   return answer;
 }
@@ -154,10 +158,10 @@ void PulseTrain::find_wake(Cycles at, const PulseInputs& in) {
     return;
   }
   const bool locked_out = stop_.estop() || stop_.watchdog();
-  const bool due = free_due || orders_.any() || clipped_ || residual_ || (stops && bank_.pending) ||
+  const bool due = free_due || orders_.stops_or_clears() || clipped_ || residual_ || (stops && bank_.pending) ||
                    servo_pins_ != (locked_out ? 0 : servo_on_);
   is_settled_ = !due;
-  wakes_at_ = due ? at + Cycles{1} : std::min(axes_wake_at_, stop_.wakes_at(at, control));
+  wakes_at_ = due || orders_.commit ? at + Cycles{1} : std::min(axes_wake_at_, stop_.wakes_at(at, control));
 }
 
 std::optional<TickPulses> PulseTrain::whole_tick(Cycles at) const {

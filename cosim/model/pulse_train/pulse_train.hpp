@@ -74,7 +74,7 @@ class PulseTrain {
   struct Orders {
     bool stop = false, clear_estop = false, clear_watchdog = false, commit = false;
 
-    [[nodiscard]] bool any() const { return stop || clear_estop || clear_watchdog || commit; }
+    [[nodiscard]] bool stops_or_clears() const { return stop || clear_estop || clear_watchdog; }
   };
   struct Bank {
     PerAxis<std::int32_t> counts{};
@@ -92,7 +92,7 @@ class PulseTrain {
   void find_axes_wake(Cycles at);
   void snapshot();
   void move_bank(bool trigger, bool stopped);
-  void stop_edge(Cycles at, const StopControl::Inputs& control, const PulseInputs& in);
+  void quiet_edge(Cycles at, const StopControl::Inputs& control, const PulseInputs& in);
   void find_wake(Cycles at, const PulseInputs& in);
 
   PerAxis<PulseAxis> axes_{};
@@ -109,7 +109,7 @@ class PulseTrain {
   std::uint16_t active_sequence_ = 0;
   PerAxis<std::uint32_t> emitted_{}, residuals_{};  // snapshots of the last trigger
   Cycles wakes_at_ = Cycles{1};
-  bool is_settled_ = false;  // nothing but the generators and the watchdog has something to do
+  bool is_settled_ = false;  // nothing but the generators, a commit and the watchdog has something to do
   bool gated_clock_stopped_ = false;
 
   // Registers.

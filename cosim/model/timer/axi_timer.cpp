@@ -21,7 +21,11 @@ Answer AxiTimer::edge(Cycles at, const Strobes& access, const TimerInputs& input
   if (stopped_) return result;
   if (access.any()) result = answer(at, access);
   const bool same = inputs == TimerInputs{.capture_trig = capture_.ago(1), .freeze = freeze_.ago(1)};
-  if (access.write || !same || wakes_at_ <= at) compute(at, access, inputs);
+  if (same && is_steady_ && at < counting_until_ && (!access.write || clears_flags(access))) {
+    if (access.write || wakes_at_ <= at) clear_flags(at, access);
+  } else if (access.write || !same || wakes_at_ <= at) {
+    compute(at, access, inputs);
+  }
   return result;
 }
 
@@ -108,10 +112,25 @@ void AxiTimer::compute(Cycles at, const Strobes& access, const TimerInputs& inpu
 }
 
 Cycles AxiTimer::plan(Cycles at) {
-  const Cycles counting = counters_.plan(registers_, {.cascade = cascade_, .pwm = pwm_mode_, .frozen = freeze_.ago(2)});
-  const bool settled = pulses_ == 0 && irq_ == interrupts() && pwm_mode_ == asks_for_pwm() &&
-                       pwm_.is_settled(pwm_mode_) && capture_.are_equal() && freeze_.are_equal();
-  return settled ? counting : at + Cycles{1};
+  counting_until_ = counters_.plan(registers_, {.cascade = cascade_, .pwm = pwm_mode_, .frozen = freeze_.ago(2)});
+  is_steady_ = pulses_ == 0 && pwm_mode_ == asks_for_pwm() && pwm_.is_settled(pwm_mode_) && capture_.are_equal() &&
+               freeze_.are_equal();
+  return is_steady_ && irq_ == interrupts() ? counting_until_ : at + Cycles{1};
+}
+
+// Whether the write does nothing to a control register but clear its flag: what acknowledges an interrupt.
+bool AxiTimer::clears_flags(const Strobes& access) const {
+  const std::uint32_t offset = word_offset(access.waddr);
+  if (offset != timer_regs::kTcsr0Offset && offset != timer_regs::kTcsr1Offset) return false;
+  const std::uint32_t before = tcsr(offset == timer_regs::kTcsr1Offset ? 1 : 0) & ~timer_bits::kFlag;
+  return (merged(before, access) & ~timer_bits::kFlag) == before && !writes_run_all(access);
+}
+
+// An edge at which only flags and the interrupt change, with such a write or none.
+void AxiTimer::clear_flags(Cycles at, const Strobes& access) {
+  irq_ = interrupts();
+  if (access.write) write(access);
+  wakes_at_ = irq_ == interrupts() ? counting_until_ : at + Cycles{1};
 }
 
 void AxiTimer::write(const Strobes& access) {
@@ -133,6 +152,11 @@ void AxiTimer::write(const Strobes& access) {
   }
 }
 
+// The write starts both timers, not the bit: a write of other bytes starts nothing.
+bool AxiTimer::writes_run_all(const Strobes& access) {
+  return (access.wstrb & 2u) != 0 && (access.wdata & timer_bits::kRunAll) != 0;
+}
+
 void AxiTimer::write_control(unsigned timer, const Strobes& access) {
   TimerRegisters& registers = registers_[timer];
   const std::uint32_t value = merged(tcsr(timer) & ~timer_bits::kFlag, access);
@@ -140,9 +164,7 @@ void AxiTimer::write_control(unsigned timer, const Strobes& access) {
   if ((value & timer_bits::kFlag) != 0) registers.control &= ~timer_bits::kFlag;
   if (timer == 0) cascade_ = (value & timer_bits::kCascade) != 0;
   run_all_ = (value & timer_bits::kRunAll) != 0;
-  // The write starts both timers, not the bit: a write of other bytes starts nothing.
-  const bool writes_run_all = (access.wstrb & 2u) != 0 && (access.wdata & timer_bits::kRunAll) != 0;
-  if (!writes_run_all) return;
+  if (!writes_run_all(access)) return;
   for (TimerRegisters& each : registers_) each.control |= timer_bits::kRun;
 }
 

@@ -57,6 +57,9 @@ class AxiTimer {
   void write(const Strobes& access);
   void write_control(unsigned timer, const Strobes& access);
   Cycles plan(Cycles at);
+  [[nodiscard]] bool clears_flags(const Strobes& access) const;
+  void clear_flags(Cycles at, const Strobes& access);
+  [[nodiscard]] static bool writes_run_all(const Strobes& access);
 
   [[nodiscard]] bool interrupts() const;
   [[nodiscard]] bool asks_for_pwm() const;
@@ -71,6 +74,8 @@ class AxiTimer {
   unsigned pulses_ = 0;
   bool irq_ = false;
   bool stopped_ = false;
+  bool is_steady_ = false;          // nothing but counters, flags and irq() changes
+  Cycles counting_until_ = kNever;  // the next edge that must be computed for the counters
   Cycles wakes_at_ = kNever;
 };
 
