@@ -141,19 +141,15 @@ void Core::wait_for_simulation() {
   sleep_until(time_.now);
 }
 
-std::uint32_t Core::access(const BusRequest& request) {
+// So often that a call would cost as much as the work.
+[[gnu::always_inline]] inline std::uint32_t Core::access(const BusRequest& request) {
   if (!is_ahead_) time_.horizon = find_horizon();
-  if (time_.now < time_.horizon) {
-    const RunAhead::Outcome outcome = simulation_->try_access(request, time_);
-    if (outcome.access == RunAhead::Access::kDone) [[likely]] {
-      is_ahead_ = true;
-      return outcome.data;
-    }
-    if (outcome.access == RunAhead::Access::kRefused) wait_for_simulation();
-  } else {
-    wait_for_simulation();
-  }
-  return wait_for_response(request);
+  RunAhead::Outcome outcome;
+  if (time_.now < time_.horizon) outcome = simulation_->try_access(request, time_);
+  if (outcome.access != RunAhead::Access::kDone) [[unlikely]]
+    return wait_for_response(request, outcome.access);
+  is_ahead_ = true;
+  return outcome.data;
 }
 
 // The cycle before which a core that is not ahead runs alone; its own cycle or an earlier one if it does not.
@@ -161,7 +157,9 @@ Cycles Core::find_horizon() const {
   return may_run_ahead() ? std::min(simulation_->horizon(), other_->quiet_until()) : time_.now;
 }
 
-std::uint32_t Core::wait_for_response(const BusRequest& request) {
+// Of an access that has begun, or that begins when the simulation is where the core is.
+std::uint32_t Core::wait_for_response(const BusRequest& request, RunAhead::Access access) {
+  if (access == RunAhead::Access::kRefused) wait_for_simulation();
   request_ = request;
   wait_ = Wait::kBus;
   fiber_.suspend();

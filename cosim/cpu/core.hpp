@@ -79,7 +79,7 @@ class Core final : private CoreBus {
   void pass(Cycles duration) noexcept override;
 
   std::uint32_t access(const BusRequest& request);
-  std::uint32_t wait_for_response(const BusRequest& request);
+  std::uint32_t wait_for_response(const BusRequest& request, RunAhead::Access access);
   [[nodiscard]] Cycles find_horizon() const;
   [[nodiscard]] bool may_run_ahead() const;
   [[nodiscard]] bool passes_alone(Cycles until);
