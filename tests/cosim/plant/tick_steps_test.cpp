@@ -27,8 +27,9 @@ double between(SplitMix& random, double low, double high) {
 
 RobotSpec random_robot(SplitMix& random) {
   RobotSpec robot;
+  const bool plain_gears = random.below(2) == 0;
   for (AxisSpec& axis : robot.axes) {
-    if (random.below(2) == 0) axis.encoder_lines = static_cast<std::int32_t>(1 + random.below(4000));
+    if (!plain_gears && random.below(2) == 0) axis.encoder_lines = static_cast<std::int32_t>(1 + random.below(4000));
     if (random.below(3) == 0) axis.drive.natural_hz = between(random, 5.0, 200.0);
   }
   return robot;
@@ -50,14 +51,16 @@ struct SixMotors {
   std::vector<PositionLoop> loops;
 };
 
-// Some axes at rest, some that follow, some that a limit stops.
+// Some axes at rest, some that follow, some that a limit stops; or all about to come to rest.
 Shafts random_shafts(SplitMix& random) {
   Shafts shafts;
+  const bool settle = random.below(8) == 0;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const std::uint32_t kind = random.below(4);
     if (kind == 0) continue;
-    const double size = kind == 1 ? 1e-5 : kind == 2 ? 20.0 : 20'000.0;
-    shafts.set(axis, {.error = between(random, -size, size), .speed = between(random, -size, size) * 1e-2});
+    const double size = settle ? 1e-6 : kind == 1 ? 1e-5 : kind == 2 ? 20.0 : 20'000.0;
+    shafts.set(axis,
+               {.error = between(random, -size, size), .speed = between(random, -size, size) * (settle ? 1e-3 : 1e-2)});
   }
   return shafts;
 }
@@ -66,8 +69,9 @@ TickPulses random_tick(SplitMix& random) {
   const Cycles begins{static_cast<std::int64_t>(1 + random.below(100'000))};
   TickPulses tick{.begins = begins, .ends = begins + Cycles{2500}};
   const std::uint32_t most = 1 + random.below(random.below(2) == 0 ? 10u : 200u);
+  const std::uint32_t idle_axes = random.below(6) == 0 ? 11 : 4;  // of 12
   for (AxisPulses& pulses : tick.axes) {
-    if (random.below(3) == 0) continue;
+    if (random.below(12) < idle_axes) continue;
     const auto blocked = static_cast<std::int32_t>(random.below(3) == 0 ? random.below(100) : 0u);
     const auto count = static_cast<std::int32_t>(random.below(most + 1));
     pulses = {
