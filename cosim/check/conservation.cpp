@@ -12,6 +12,7 @@
 #include "controller/regs/soc_map.hpp"
 #include "cosim/bus/register_address.hpp"
 #include "cosim/check/shortage.hpp"
+#include "cosim/logic/axis_bits.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -252,7 +253,8 @@ void Conservation::report_emitted(Cycles now, std::size_t axis, std::uint32_t va
 }
 
 void Conservation::check_position(Cycles now, std::size_t axis, std::uint32_t value) {
-  if (!positions_.accepts(axis, value, trigger_in_doubt(now))) report_position(now, axis, value);
+  if (positions_.accepts(axis, value, trigger_in_doubt(now)) || has_bit(false_encoders_, axis)) return;
+  report_position(now, axis, value);
 }
 
 void Conservation::report_position(Cycles now, std::size_t axis, std::uint32_t value) {

@@ -28,6 +28,7 @@
 // either. It then assigns a commit to the tick in which its pulses appear.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -57,6 +58,13 @@ class Conservation {
 
   // The clock of the logic runs, or stands still, after its edge `now`.
   void on_clock(Cycles now, bool runs);
+  // From now on the encoders of these axes, one bit each, do not show their motors: POSITION is not checked any more.
+  void do_not_check_positions(std::uint8_t axes) { false_encoders_ |= axes; }
+  // From now on a response may come later by up to this time.
+  void allow_late_responses(Cycles delay) {
+    access_tail_ += std::max(Cycles{}, delay - allowed_delay_);
+    allowed_delay_ = std::max(allowed_delay_, delay);
+  }
   // Call after each clock edge on which an output changed, after Plant::on_outputs().
   void on_outputs(Cycles now, const SocOutputs& out);
   // Instead of on_outputs() for the edges of the pulses of a whole tick. Call it before on_trigger() at its end.
@@ -122,6 +130,8 @@ class Conservation {
   const Plant& plant_;
   bool paper_;
   Cycles access_tail_;
+  Cycles allowed_delay_{};  // in access_tail_
+  std::uint8_t false_encoders_ = 0;
 
   // clock
   std::optional<Cycles> stopped_at_;

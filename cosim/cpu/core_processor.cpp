@@ -53,10 +53,13 @@ std::optional<Processor::Access> CoreProcessor::next_access() const {
 }
 
 void CoreProcessor::complete(const Access& access, const BusResponse& response, Cycles now) {
-  if (access.stray) {
+  if (access.stray && !access.request.write) {
+    const std::uint32_t data = response.data ^ access.flips;
+    stray_.front() = {.core = 1, .request = {.write = true, .addr = access.request.addr, .data = data}, .stray = true};
+  } else if (access.stray) {
     stray_.pop_front();
-  } else {
-    cores_.at(static_cast<std::size_t>(access.core)).complete(response, now);
+  } else if (Core& core = cores_.at(static_cast<std::size_t>(access.core)); core.state() != CoreState::kHalted) {
+    core.complete(response, now);
   }
 }
 
@@ -67,6 +70,14 @@ void CoreProcessor::abort(const Access& access, Cycles now) {
 
 void CoreProcessor::write_astray(std::uint32_t addr, std::uint32_t data) {
   stray_.push_back({.core = 1, .request = {.write = true, .addr = addr, .data = data}, .stray = true});
+}
+
+void CoreProcessor::flip_astray(std::uint32_t addr, std::uint32_t mask) {
+  stray_.push_back({.core = 1, .request = {.write = false, .addr = addr}, .stray = true, .flips = mask});
+}
+
+void CoreProcessor::stop_core_one(Cycles now) {
+  cores_[1].halt(now);
 }
 
 void CoreProcessor::set_interrupts(std::uint8_t levels, Cycles now) {

@@ -30,6 +30,7 @@ class Processor {
     int core = 0;
     BusRequest request;
     bool stray = false;
+    std::uint32_t flips = 0;  // of a stray read: it is written back with these bits inverted
   };
 
   virtual ~Processor() = default;
@@ -66,6 +67,12 @@ class Processor {
 
   // Core 1 writes a word that no line of its program means to write (fault script). Its program does not wait for it.
   virtual void write_astray(std::uint32_t addr, std::uint32_t data) = 0;
+
+  // The same with the word of this register, in which the bits of `mask` are inverted.
+  virtual void flip_astray(std::uint32_t addr, std::uint32_t mask) = 0;
+
+  // Core 1 stops for good (fault script).
+  virtual void stop_core_one(Cycles now) = 0;
 
   // The longest time for which core 0 was awake until `now`: the duration of the worst tick.
   [[nodiscard]] virtual Cycles worst_tick(Cycles now) const = 0;

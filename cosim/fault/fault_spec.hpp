@@ -55,6 +55,158 @@ struct BlockHang {
   friend bool operator==(const BlockHang&, const BlockHang&) = default;
 };
 
+// ---- drives and mechanics
+
+// The drive of an axis counts each of its next pulses twice. Ends by itself after these pulses.
+struct ExtraPulses {
+  int axis = 1;            // 1..6
+  std::int64_t count = 0;  // pulses, at least 1
+
+  friend bool operator==(const ExtraPulses&, const ExtraPulses&) = default;
+};
+
+// The drive of an axis has an internal fault for this time. Its alarm stays until the servo is off and the fault over.
+struct DriveAlarm {
+  int axis = 1;           // 1..6
+  double duration_s = 0;  // a cycle of the clock or longer
+
+  friend bool operator==(const DriveAlarm&, const DriveAlarm&) = default;
+};
+
+// The motor shaft of an axis cannot turn for this time: the arm has hit something.
+struct AxisBlocked {
+  int axis = 1;           // 1..6
+  double duration_s = 0;  // a cycle of the clock or longer
+
+  friend bool operator==(const AxisBlocked&, const AxisBlocked&) = default;
+};
+
+// ---- lines of encoders and switches, between them and the chip
+
+enum class EncoderLine : std::uint8_t { kA, kB, kZ };
+enum class AxisSwitch : std::uint8_t { kHome, kLimitPos, kLimitNeg };
+
+// A line of an encoder keeps this level.
+struct EncoderStuck {
+  int axis = 1;  // 1..6
+  EncoderLine line = EncoderLine::kA;
+  int level = 0;
+  double duration_s = 0;  // a cycle of the clock or longer
+
+  friend bool operator==(const EncoderStuck&, const EncoderStuck&) = default;
+};
+
+// The cable of an encoder is broken: all of its lines are low.
+struct EncoderCable {
+  int axis = 1;           // 1..6
+  double duration_s = 0;  // a cycle of the clock or longer
+
+  friend bool operator==(const EncoderCable&, const EncoderCable&) = default;
+};
+
+// The lines A and B of an encoder are exchanged.
+struct EncoderSwapped {
+  int axis = 1;           // 1..6
+  double duration_s = 0;  // a cycle of the clock or longer
+
+  friend bool operator==(const EncoderSwapped&, const EncoderSwapped&) = default;
+};
+
+// A line of an encoder inverts at the begin, and after each half of the period.
+struct EncoderChatter {
+  int axis = 1;  // 1..6
+  EncoderLine line = EncoderLine::kA;
+  double period_us = 0;   // two cycles of the clock or longer
+  double duration_s = 0;  // a cycle of the clock or longer
+
+  friend bool operator==(const EncoderChatter&, const EncoderChatter&) = default;
+};
+
+// Glitches on a line of an encoder, with random gaps between them (seed of the scenario).
+struct EncoderNoise {
+  int axis = 1;  // 1..6
+  EncoderLine line = EncoderLine::kA;
+  double width_us = 0;     // of a glitch: a cycle of the clock or longer
+  double mean_gap_us = 0;  // between two glitches: a cycle of the clock or longer
+  double duration_s = 0;   // a cycle of the clock or longer
+
+  friend bool operator==(const EncoderNoise&, const EncoderNoise&) = default;
+};
+
+// An encoder shows so many counts too many from then on, one after the other.
+struct EncoderMiscount {
+  int axis = 1;             // 1..6
+  std::int64_t counts = 0;  // not 0; negative: too few
+
+  friend bool operator==(const EncoderMiscount&, const EncoderMiscount&) = default;
+};
+
+// From then on the index of an encoder comes so many counts later in the positive direction.
+struct IndexSlip {
+  int axis = 1;             // 1..6
+  std::int64_t counts = 0;  // not 0
+
+  friend bool operator==(const IndexSlip&, const IndexSlip&) = default;
+};
+
+// A switch of an axis keeps this level.
+struct SwitchStuck {
+  int axis = 1;  // 1..6
+  AxisSwitch which = AxisSwitch::kHome;
+  int level = 0;
+  double duration_s = 0;  // a cycle of the clock or longer
+
+  friend bool operator==(const SwitchStuck&, const SwitchStuck&) = default;
+};
+
+// A switch of an axis inverts at the begin, and after each half of the period.
+struct SwitchBounce {
+  int axis = 1;  // 1..6
+  AxisSwitch which = AxisSwitch::kHome;
+  double period_us = 0;   // two cycles of the clock or longer
+  double duration_s = 0;  // a cycle of the clock or longer
+
+  friend bool operator==(const SwitchBounce&, const SwitchBounce&) = default;
+};
+
+// ---- processor and bus
+
+// Core 0 does not see the interrupt of axi_timer for this time.
+struct InterruptLost {
+  double duration_s = 0;  // a cycle of the clock or longer
+
+  friend bool operator==(const InterruptLost&, const InterruptLost&) = default;
+};
+
+// From then on core 1 does nothing.
+struct CoreOneStuck {
+  friend bool operator==(const CoreOneStuck&, const CoreOneStuck&) = default;
+};
+
+// The next accesses of the cores to this address are answered with SLVERR.
+struct SlaveError {
+  std::int64_t address = 0;  // 32 bits, a multiple of 4
+  std::int64_t count = 1;    // accesses, at least 1
+
+  friend bool operator==(const SlaveError&, const SlaveError&) = default;
+};
+
+// Each response of the bus comes later for this time.
+struct SlowSlave {
+  double delay_us = 0;    // a cycle of the clock or longer
+  double duration_s = 0;  // a cycle of the clock or longer
+
+  friend bool operator==(const SlowSlave&, const SlowSlave&) = default;
+};
+
+// A program error: the processor reads a register and writes it back with one bit inverted.
+struct RegisterFlip {
+  std::int64_t address = 0;  // 32 bits, a multiple of 4
+  int bit = 0;               // 0..31
+
+  friend bool operator==(const RegisterFlip&, const RegisterFlip&) = default;
+};
+
 // A kind whose fault ends after a time.
 template <class Kind>
 concept FaultWithDuration = requires(const Kind& fault) {
@@ -62,7 +214,10 @@ concept FaultWithDuration = requires(const Kind& fault) {
 };
 
 // The members of a struct are the keys of its kind.
-using FaultKind = std::variant<PulseLoss, SlowCore, Estop, ClockStop, StrayWrite, BlockHang>;
+using FaultKind =
+    std::variant<PulseLoss, SlowCore, Estop, ClockStop, StrayWrite, BlockHang, ExtraPulses, DriveAlarm, AxisBlocked,
+                 EncoderStuck, EncoderCable, EncoderSwapped, EncoderChatter, EncoderNoise, EncoderMiscount, IndexSlip,
+                 SwitchStuck, SwitchBounce, InterruptLost, CoreOneStuck, SlaveError, SlowSlave, RegisterFlip>;
 
 struct FaultSpec {
   double at_s = 0;

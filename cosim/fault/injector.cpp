@@ -1,13 +1,23 @@
 #include "cosim/fault/injector.hpp"
 
 #include <cstddef>
+#include <numeric>
 #include <variant>
 
+#include "controller/regs/soc_map.hpp"
 #include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
+namespace {
 
-void FaultInjector::begin(const FaultKind& kind) {
+std::size_t index_of(int axis) {
+  return static_cast<std::size_t>(axis - 1);
+}
+
+}  // namespace
+
+void FaultInjector::begin(const FaultKind& kind, Cycles now) {
+  now_ = now;
   std::visit([this](const auto& fault) { start(fault); }, kind);
 }
 
@@ -20,11 +30,28 @@ void FaultInjector::end(const FaultKind& kind) {
 }
 
 void FaultInjector::apply_to(SocInputs& pins) const {
+  lines_.apply_to(pins);
   if (estops_ > 0) pins.estop_n = false;
 }
 
+std::uint8_t FaultInjector::seen_interrupts(std::uint8_t levels) const {
+  constexpr unsigned kTimer = 1u << regs::soc::kAxiTimerIrq;
+  return interrupts_lost_ > 0 ? static_cast<std::uint8_t>(levels & ~kTimer) : levels;
+}
+
+Cycles FaultInjector::response_delay() const {
+  return std::accumulate(slow_.begin(), slow_.end(), Cycles{});
+}
+
+bool FaultInjector::takes_for_error(std::uint32_t address) {
+  const auto found = std::ranges::find(errors_, std::int64_t{address}, &SlaveError::address);
+  if (found == errors_.end()) return false;
+  if (--found->count == 0) errors_.erase(found);
+  return true;
+}
+
 void FaultInjector::start(const PulseLoss& fault) {
-  targets_.plant.drop_pulses(static_cast<std::size_t>(fault.axis - 1), fault.count);
+  targets_.plant.drop_pulses(index_of(fault.axis), fault.count);
 }
 
 void FaultInjector::start(const SlowCore& fault) {
@@ -53,6 +80,53 @@ void FaultInjector::start(const StrayWrite& fault) {
 void FaultInjector::start(const BlockHang& fault) {
   blocks_hang_ = true;
   targets_.soc.stop_clock_of(fault.clock);
+}
+
+void FaultInjector::start(const ExtraPulses& fault) {
+  targets_.plant.double_pulses(index_of(fault.axis), fault.count);
+}
+
+void FaultInjector::start(const DriveAlarm& fault) {
+  targets_.plant.trip_drive(index_of(fault.axis), now_);
+}
+void FaultInjector::stop(const DriveAlarm& fault) {
+  targets_.plant.repair_drive(index_of(fault.axis));
+}
+
+void FaultInjector::start(const AxisBlocked& fault) {
+  ++blocked_;
+  targets_.plant.block(index_of(fault.axis));
+}
+void FaultInjector::stop(const AxisBlocked& fault) {
+  --blocked_;
+  targets_.plant.unblock(index_of(fault.axis));
+}
+
+void FaultInjector::start(const InterruptLost&) {
+  ++interrupts_lost_;
+}
+void FaultInjector::stop(const InterruptLost&) {
+  --interrupts_lost_;
+}
+
+void FaultInjector::start(const CoreOneStuck&) {
+  targets_.processor.stop_core_one(now_);
+}
+
+void FaultInjector::start(const SlaveError& fault) {
+  bus_errs_ = true;
+  errors_.push_back(fault);
+}
+
+void FaultInjector::start(const SlowSlave& fault) {
+  slow_.push_back(to_cycles(fault.delay_us * 1e-6));
+}
+void FaultInjector::stop(const SlowSlave& fault) {
+  slow_.erase(std::ranges::find(slow_, to_cycles(fault.delay_us * 1e-6)));
+}
+
+void FaultInjector::start(const RegisterFlip& fault) {
+  targets_.processor.flip_astray(static_cast<std::uint32_t>(fault.address), std::uint32_t{1} << fault.bit);
 }
 
 }  // namespace armature::cosim

@@ -1,8 +1,13 @@
 // Makes the faults of a scenario happen. Nothing else knows where each kind acts.
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
 #include "cosim/cpu/processor.hpp"
 #include "cosim/fault/fault_spec.hpp"
+#include "cosim/fault/line_faults.hpp"
 #include "cosim/logic/pins.hpp"
 #include "cosim/plant/plant.hpp"
 #include "cosim/soc/soc.hpp"
@@ -18,12 +23,18 @@ struct FaultTargets {
 
 class FaultInjector {
  public:
-  explicit FaultInjector(FaultTargets targets) : targets_{targets} {}
+  // `seed` is for what is random in a fault.
+  explicit FaultInjector(FaultTargets targets, std::uint64_t seed = 0)
+      : targets_{targets}, lines_{targets.plant, seed} {}
 
   // The fault begins; the time of a fault with a duration is over. end() follows begin() of the same fault. After each
   // of them the pins of the chip must be set anew.
-  void begin(const FaultKind& kind);
+  void begin(const FaultKind& kind, Cycles now);
   void end(const FaultKind& kind);  // only for kinds with a duration
+
+  // The next cycle at which advance() must be called. The pins of the chip must be set anew after it.
+  [[nodiscard]] Cycles next_event() const { return lines_.next_event(); }
+  void advance(Cycles now) { lines_.advance(now); }
 
   // Sets the pins that faults hold at a level, whatever else drives them. The others stay as they are.
   void apply_to(SocInputs& pins) const;
@@ -31,12 +42,27 @@ class FaultInjector {
   // Whether no fault stops the clock of the logic.
   [[nodiscard]] bool clock_runs() const { return clock_stops_ == 0; }
 
-  // Whether no fault holds a pin or stops a clock.
-  [[nodiscard]] bool is_quiet() const { return estops_ == 0 && clock_stops_ == 0 && !blocks_hang_; }
+  // Whether no fault holds a pin, a motor or a response, or stops a clock.
+  [[nodiscard]] bool is_quiet() const {
+    return estops_ == 0 && clock_stops_ == 0 && !blocks_hang_ && lines_.is_quiet() && blocked_ == 0 &&
+           interrupts_lost_ == 0 && slow_.empty() && errors_.empty();
+  }
+
+  // The axes whose encoder has had a fault, one bit each: POSITION need not follow the motor any more.
+  [[nodiscard]] std::uint8_t false_encoders() const { return lines_.false_encoders(); }
+
+  // The interrupt levels of the chip as the processor sees them.
+  [[nodiscard]] std::uint8_t seen_interrupts(std::uint8_t levels) const;
+
+  // By how much a response that comes now is late.
+  [[nodiscard]] Cycles response_delay() const;
+
+  // Whether an access to this address that ends now is answered with SLVERR instead. Counts the answers.
+  [[nodiscard]] bool takes_for_error(std::uint32_t address);
 
   // Whether a fault explains error responses of the bus to accesses of the program. Without such a fault they are an
   // error of the program.
-  [[nodiscard]] bool explains_bus_errors() const { return blocks_hang_; }
+  [[nodiscard]] bool explains_bus_errors() const { return blocks_hang_ || bus_errs_; }
 
  private:
   // One start() for each kind, and one stop() for each kind with a duration.
@@ -48,11 +74,38 @@ class FaultInjector {
   void stop(const ClockStop& fault);
   void start(const StrayWrite& fault);
   void start(const BlockHang& fault);
+  void start(const ExtraPulses& fault);
+  void start(const DriveAlarm& fault);
+  void stop(const DriveAlarm& fault);
+  void start(const AxisBlocked& fault);
+  void stop(const AxisBlocked& fault);
+  void start(const InterruptLost& fault);
+  void stop(const InterruptLost& fault);
+  void start(const CoreOneStuck& fault);
+  void start(const SlaveError& fault);
+  void start(const SlowSlave& fault);
+  void stop(const SlowSlave& fault);
+  void start(const RegisterFlip& fault);
+  template <LineFault Kind>
+  void start(const Kind& fault) {
+    lines_.begin(fault, now_);
+  }
+  template <LineFault Kind>
+  void stop(const Kind& fault) {
+    lines_.end(fault);
+  }
 
   FaultTargets targets_;
+  LineFaults lines_;
+  Cycles now_{};         // of begin()
   int estops_ = 0;       // emergency stops that hold the pin low
   int clock_stops_ = 0;  // faults that stop the clock
   bool blocks_hang_ = false;
+  int blocked_ = 0;                 // faults that hold a motor
+  int interrupts_lost_ = 0;         // faults that hide the interrupt of axi_timer
+  std::vector<Cycles> slow_;        // delays of responses
+  std::vector<SlaveError> errors_;  // with the accesses that are left
+  bool bus_errs_ = false;
 };
 
 }  // namespace armature::cosim

@@ -46,7 +46,7 @@ Simulation::Simulation(const Scenario& scenario, std::unique_ptr<Soc> soc, Simul
       ticks_{*soc_, plant_, conservation_},
       script_{scenario},
       program_watch_{scenario, script_},
-      injector_{{.plant = plant_, .processor = *processor_, .soc = *soc_}},
+      injector_{{.plant = plant_, .processor = *processor_, .soc = *soc_}, scenario.seed},
       wave_{std::move(wave)},
       longest_{to_cycles(scenario.duration_s)} {
   processor_->run_ahead(*this);
@@ -195,6 +195,8 @@ Cycles Simulation::next_action() const {
   };
   consider(script_.next_event());
   consider(wave_.next_event());
+  consider(injector_.next_event());
+  if (response_ && response_due_ > now()) consider(response_due_);
   if (serial_) consider(serial_->next_event());
   return next;
 }
@@ -205,13 +207,26 @@ void Simulation::deliver_due_events() {
   wave_.advance(here, *soc_);
   if (plant_.next_event() <= here) advance_plant();
   while (const auto action = script_.pop_due(now())) act(*action);
+  if (injector_.next_event() <= now()) {
+    injector_.advance(now());
+    drive_inputs();
+  }
   if (serial_) advance_serial();
-  if (!response_) response_ = soc_->pop_response();
-  if (const auto response = std::exchange(response_, std::nullopt)) finish_access(*response);
+  take_response();
   processor_->advance(now());
   read_host_memory();
   feed_program();
-  if (soc_->idle()) grant_bus();
+  if (soc_->idle() && !access_) grant_bus();
+}
+
+// Ends the access whose response has come, if no fault delays it.
+void Simulation::take_response() {
+  if (!response_) {
+    response_ = soc_->pop_response();
+    response_due_ = now() + injector_.response_delay();
+  }
+  if (!response_ || response_due_ > now()) return;
+  finish_access(*std::exchange(response_, std::nullopt));
 }
 
 void Simulation::advance_serial() {
@@ -235,10 +250,11 @@ SocInputs Simulation::inputs() const {
   return inputs;
 }
 
-void Simulation::finish_access(const BusResponse& response) {
+void Simulation::finish_access(BusResponse response) {
   bus_time_.at(static_cast<std::size_t>(access_->core)) += now() - access_since_;
   const Processor::Access access = *std::exchange(access_, std::nullopt);
   const BusRequest& request = access.request;
+  if (injector_.takes_for_error(request.addr)) response = {.error = BusError::kSlaveError, .data = 0};
   if (response.error != BusError::kNone && (access.stray || injector_.explains_bus_errors())) {
     processor_->abort(access, now());
     listener_.on_signal(BusAbort{.access = access, .error = response.error}, now());
@@ -308,12 +324,17 @@ bool Simulation::on_pins_changed() {
   if (triggers) on_trigger();
   trigger_was_high_ = out.trigger;
   const bool concern_others = others != out;
-  if (out.irq != interrupts_) {
-    begin_tick();  // the core that wakes may run ahead in it
-    processor_->set_interrupts(interrupts_ = out.irq, here);
-    read_host_memory();
-  }
+  show_interrupts();
   return concern_others;
+}
+
+// Tells the processor the interrupt levels, if they have changed.
+void Simulation::show_interrupts() {
+  const std::uint8_t levels = injector_.seen_interrupts(seen_.irq);
+  if (levels == interrupts_) return;
+  begin_tick();  // the core that wakes may run ahead in it
+  processor_->set_interrupts(interrupts_ = levels, now());
+  read_host_memory();
 }
 
 void Simulation::report_servo_enables() {

@@ -102,6 +102,8 @@ class Simulation final : private RunAhead {
 
   [[nodiscard]] Cycles horizon_of_others() const;
   void take_fallen_interrupts();
+  void show_interrupts();
+  void after_fault();
   Outcome noticed_access(const BusRequest& request, TimeAhead& time);
   Outcome continue_access(Soc::Progress progress, const BusRequest& request, TimeAhead& time);
   Outcome end_access(const Soc::Progress& progress, const BusRequest& request, TimeAhead& time);
@@ -121,7 +123,8 @@ class Simulation final : private RunAhead {
   void drive_inputs();
   [[nodiscard]] SocInputs inputs() const;
   void act(const ScriptAction& action);
-  void finish_access(const BusResponse& response);
+  void take_response();
+  void finish_access(BusResponse response);
   // Of an access without an error that has ended at `now`, and has read this. Returns false if it ends the run. There
   // are so many that a call would cost as much as the work.
   [[gnu::always_inline]] bool check_access(const BusRequest& request, std::uint32_t read, Cycles now) {
@@ -173,6 +176,7 @@ class Simulation final : private RunAhead {
   std::optional<Processor::Access> access_;  // under way
   Cycles access_since_{};
   std::optional<BusResponse> response_;  // of access_; finish_access() is due
+  Cycles response_due_{};                // of a response that a fault delays
   bool pins_changed_ = false;            // on_pins_changed() is due
   bool core_was_ahead_ = false;
   std::array<Cycles, 2> bus_time_{};       // of each core, in finished accesses

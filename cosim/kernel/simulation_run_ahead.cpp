@@ -8,7 +8,7 @@ namespace armature::cosim {
 // Of everything but the chip.
 Cycles Simulation::horizon_of_others() const {
   const bool program_has_room = program_.busy() && host_.has_room(Source::kProgram);
-  if (!ticks_.is_whole() || wave_.is_open() || over_ || program_has_room || !soc_->idle() ||
+  if (!ticks_.is_whole() || wave_.is_open() || over_ || program_has_room || !soc_->idle() || response_ ||
       processor_->next_access()) {
     return now();
   }
@@ -38,7 +38,8 @@ void Simulation::catch_up(Cycles until) {
 
 // Interrupts have fallen, and no other output has changed.
 void Simulation::take_fallen_interrupts() {
-  seen_.irq = interrupts_ = soc_->interrupts();
+  seen_.irq = soc_->interrupts();
+  interrupts_ = injector_.seen_interrupts(seen_.irq);
   processor_->set_interrupts(interrupts_, now());
 }
 

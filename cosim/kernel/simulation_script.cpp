@@ -27,15 +27,13 @@ void Simulation::act(const ScriptAction& action) {
                  },
                  [this](const FaultSpec& fault) {
                    compute_edges();
-                   injector_.begin(fault.kind);
-                   conservation_.on_clock(now(), injector_.clock_runs());
-                   drive_inputs();
+                   injector_.begin(fault.kind, now());
+                   after_fault();
                  },
                  [this](const FaultEnd& end) {
                    compute_edges();
                    injector_.end(end.fault.kind);
-                   conservation_.on_clock(now(), injector_.clock_runs());
-                   drive_inputs();
+                   after_fault();
                  },
                  [this](const InputSpec& input) {
                    const auto bit = static_cast<std::uint16_t>(1u << (input.pin - 1));
@@ -44,6 +42,15 @@ void Simulation::act(const ScriptAction& action) {
                  },
              },
              action);
+}
+
+// After a fault has begun or ended.
+void Simulation::after_fault() {
+  conservation_.on_clock(now(), injector_.clock_runs());
+  conservation_.do_not_check_positions(injector_.false_encoders());
+  conservation_.allow_late_responses(injector_.response_delay());
+  drive_inputs();
+  show_interrupts();
 }
 
 void Simulation::give(const CommandSpec& move) {

@@ -25,6 +25,7 @@ std::uint8_t IndependentAxes::step(std::uint8_t axes, const MotorDemands& demand
     shafts.set(axis, before[axis]);
     if (has_bit(axes, axis)) step_alone(axis, has_bit(demands.controlled, axis), shafts);
   });
+  for_each_bit(blocked_, [&](std::size_t axis) { shafts.set(axis, {.error = before.error[axis], .speed = 0.0}); });
   return axes;
 }
 

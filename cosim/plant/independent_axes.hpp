@@ -19,13 +19,15 @@ class IndependentAxes final : public Mechanics {
   explicit IndependentAxes(const RobotSpec& robot);
 
   std::uint8_t step(std::uint8_t axes, const MotorDemands& demands, Shafts& shafts) override;
-  [[nodiscard]] const PositionLoops* loops() const override { return &loops_; }
+  [[nodiscard]] const PositionLoops* loops() const override { return blocked_ == 0 ? &loops_ : nullptr; }
+  void block(std::size_t axis, bool on) override { set_bit(blocked_, axis, on); }
 
  private:
   // Makes a step of every axis that is within its limits. Returns the others, one bit each.
   [[nodiscard]] std::uint8_t step_within_limits(Shafts& shafts) const;
   void step_alone(std::size_t axis, bool controlled, Shafts& shafts) const;
 
+  std::uint8_t blocked_ = 0;          // one bit per axis
   std::vector<PositionLoop> motors_;  // kAxes
   PositionLoops loops_;
 };

@@ -22,6 +22,7 @@ class DynamicAxes final : public Mechanics {
     arm_.step(demands.controlled, demands.reference, shafts.error, shafts.speed);
     return kAllAxes;
   }
+  void block(std::size_t axis, bool on) override { arm_.block(axis, on); }
   void keep() override { arm_.keep(); }
   void take_back() override { arm_.take_back(); }
   [[nodiscard]] std::optional<PerAxis<double>> load_lead_deg() const override {

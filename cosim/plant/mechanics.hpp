@@ -65,6 +65,9 @@ class Mechanics {
   // null: it does more.
   [[nodiscard]] virtual const PositionLoops* loops() const { return nullptr; }
 
+  // Fault script: the shaft of this motor cannot turn while `on`. It stands at once.
+  virtual void block(std::size_t axis, bool on) = 0;
+
   // For mechanics with a state of their own: keep() marks this moment, take_back() returns to it.
   virtual void keep() {}
   virtual void take_back() {}

@@ -59,10 +59,35 @@ void Plant::drive_pins(Cycles now, const SocOutputs& out) {
     if (drive.violation() && !violation_) violation_ = drive.violation();
     if (!drive.idle()) moving_ |= bit_of(axis);
   });
-  if (moving_ != 0 && next_step_ == kNever) {
-    next_step_ = grid_from(now + Cycles{1});
-    next_event_ = std::min(next_event_, next_step_);
-  }
+  wake(now);
+}
+
+// The next step is on the grid if an axis needs it.
+void Plant::wake(Cycles now) {
+  if (moving_ == 0 || next_step_ != kNever) return;
+  next_step_ = grid_from(now + Cycles{1});
+  next_event_ = std::min(next_event_, next_step_);
+}
+
+void Plant::trip_drive(std::size_t axis, Cycles now) {
+  drives_[axis].trip();
+  set_bit(inputs_.drive_alarm, axis, true);
+  moving_ |= bit_of(axis);
+  wake(now);
+}
+
+void Plant::repair_drive(std::size_t axis) {
+  drives_[axis].repair();
+  set_bit(inputs_.drive_alarm, axis, drives_[axis].alarm());
+}
+
+void Plant::block(std::size_t axis) {
+  ++blocks_[axis];
+  mechanics_->block(axis, true);
+}
+
+void Plant::unblock(std::size_t axis) {
+  if (--blocks_[axis] == 0) mechanics_->block(axis, false);
 }
 
 void Plant::advance(Cycles now) {

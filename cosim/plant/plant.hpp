@@ -63,6 +63,19 @@ class Plant {
   void drop_pulses(std::size_t axis, std::int64_t count) { drives_[axis].drop_pulses(count); }
   [[nodiscard]] std::int64_t pulses_to_drop(std::size_t axis) const { return drives_[axis].pulses_to_drop(); }
 
+  // Fault script: the drive counts the next `count` pulses twice.
+  void double_pulses(std::size_t axis, std::int64_t count) { drives_[axis].double_pulses(count); }
+  // Fault script: an internal fault of the drive, until as many calls of repair_drive().
+  void trip_drive(std::size_t axis, Cycles now);
+  void repair_drive(std::size_t axis);
+  // Fault script: the motor shaft cannot turn, until as many calls of unblock().
+  void block(std::size_t axis);
+  void unblock(std::size_t axis);
+  // Whether the index would be high with the encoder so many counts further.
+  [[nodiscard]] bool shows_index(std::size_t axis, Counts further) const {
+    return encoders_[axis].z(encoders_[axis].count() + further);
+  }
+
   // ---- whole ticks: the pulses of a tick at once, without the edges of pulses and encoders (plant_ticks.cpp). From
   // begin_tick() that returns true to resume_edges() nothing is due, on_outputs() sees no pulses, and inputs() stand
   // still.
@@ -118,6 +131,7 @@ class Plant {
 
  private:
   void drive_pins(Cycles now, const SocOutputs& out);
+  void wake(Cycles now);
   void execute_edges(Cycles now);
   void show_count(std::size_t axis);
   // One step of the mechanics: calls `move` with each axis and the position of its motor, which the encoder has not
@@ -158,6 +172,7 @@ class Plant {
   std::optional<DropOut> drop_out_;
   SocOutputs seen_;          // servo_on behind the relay
   std::uint8_t moving_ = 0;  // axes that need the next step, one bit each
+  PerAxis<int> blocks_{};    // faults that hold the motor
   Cycles next_step_ = kNever;
   PerAxis<Cycles> next_edge_;
   Cycles next_event_ = kNever;

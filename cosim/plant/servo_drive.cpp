@@ -26,7 +26,7 @@ void ServoDrive::on_pins(Cycles now, bool step, bool dir, bool servo_on, Shaft& 
     if (servo_on) {
       switch_on(shaft);
     } else {
-      state_.alarm = false;
+      state_.alarm = trips_ > 0;
     }
   }
   const int pulse = input_.update(now, step, dir, servo_on);
@@ -40,11 +40,26 @@ void ServoDrive::handle_pulse(int direction, Shaft& shaft) {
     --to_drop_;
     dropped_ += Pulses{direction};
   } else {
-    shaft.error -= direction * state_.gear.counts_per_pulse();
-    state_.gear.pulses(direction);
-    state_.counted += Pulses{direction};
+    const int seen = to_double_ > 0 ? 2 * direction : direction;
+    if (to_double_ > 0) {
+      --to_double_;
+      dropped_ -= Pulses{direction};
+    }
+    shaft.error -= seen * state_.gear.counts_per_pulse();
+    state_.gear.pulses(seen);
+    state_.counted += Pulses{seen};
     state_.stepping_needed = true;
   }
+}
+
+void ServoDrive::trip() {
+  ++trips_;
+  state_.alarm = true;
+  state_.stepping_needed = true;
+}
+
+void ServoDrive::repair() {
+  if (--trips_ == 0 && !servo_on_) state_.alarm = false;
 }
 
 void ServoDrive::skip(std::int64_t count, bool in_position, bool moves) {

@@ -30,7 +30,7 @@ class ServoDrive {
   // ---- whole ticks: pulses without their edges
   // Whether each pulse moves the reference, or none comes.
   [[nodiscard]] bool takes(const AxisPulses& pulses) const {
-    return pulses.count == 0 ? enabled() || idle() : enabled() && to_drop_ == 0;
+    return pulses.count == 0 ? enabled() || idle() : enabled() && to_drop_ == 0 && to_double_ == 0;
   }
   [[nodiscard]] const StepInput& input() const { return input_; }
   [[nodiscard]] const ElectronicGear& gear() const { return state_.gear; }
@@ -54,6 +54,13 @@ class ServoDrive {
   // Fault script: the drive does not see the next `count` pulses (added to those still to be lost).
   void drop_pulses(std::int64_t count) { to_drop_ += count; }
   [[nodiscard]] std::int64_t pulses_to_drop() const { return to_drop_; }  // still to be lost
+
+  // Fault script: the drive counts the next `count` pulses twice.
+  void double_pulses(std::int64_t count) { to_double_ += count; }
+  // Fault script: an internal fault, until as many calls of repair(). The alarm stays until the servo is off and the
+  // fault is over.
+  void trip();
+  void repair();
 
   // demand() returns what the motor must do in the next step. observe() accepts the shaft after that step.
   [[nodiscard]] MotorDemand demand() const;
@@ -80,8 +87,9 @@ class ServoDrive {
 
   // ---- every pulse on the pins is in exactly one of these, signed by its direction
   [[nodiscard]] Pulses counted_pulses() const { return state_.counted; }  // moved the reference
-  [[nodiscard]] Pulses dropped_pulses() const { return dropped_; }        // lost by the fault script
-  [[nodiscard]] Pulses ignored_pulses() const { return ignored_; }        // came while the servo was off or in alarm
+  // Lost by the fault script, less those that it has doubled.
+  [[nodiscard]] Pulses dropped_pulses() const { return dropped_; }
+  [[nodiscard]] Pulses ignored_pulses() const { return ignored_; }  // came while the servo was off or in alarm
 
   [[nodiscard]] const std::optional<InputViolation>& violation() const { return input_.violation(); }
 
@@ -94,6 +102,8 @@ class ServoDrive {
   double alarm_error_;
   bool servo_on_ = false;
   std::int64_t to_drop_ = 0;
+  std::int64_t to_double_ = 0;
+  int trips_ = 0;  // internal faults
   Pulses dropped_{};
   Pulses ignored_{};
 };

@@ -51,6 +51,7 @@ void ServoArm::step(std::uint8_t controlled, const AxisNumbers& reference, AxisN
     gears[i] = gear_torque(i);
     turn_motor(i, lanes, gears[i]);
   }
+  for_each_bit(blocked_, [&](std::size_t axis) { state_.speed[axis] = 0.0; });
   const bool loads_move = turn_loads(gears);
   const Pair h = both(numbers_.step_s);
   for (std::size_t i = 0; i < kAxisPairs; ++i) {

@@ -39,6 +39,9 @@ class ServoArm {
   // is not 0 as long as a part of the axis may still move. Before the first step the arm rests, held by its brakes.
   void step(std::uint8_t controlled, const AxisNumbers& reference, AxisNumbers& error, AxisNumbers& speed);
 
+  // The shaft of this motor cannot turn while `on` (fault script).
+  void block(std::size_t axis, bool on) { set_bit(blocked_, axis, on); }
+
   // keep() marks this moment; take_back() returns to it.
   void keep() { kept_ = state_; }
   void take_back() { state_ = kept_; }
@@ -79,6 +82,7 @@ class ServoArm {
   ServoNumbers numbers_;
   LoadSide arm_;
   int renewal_;
+  std::uint8_t blocked_ = 0;  // one bit per axis
   State state_, kept_;
 };
 

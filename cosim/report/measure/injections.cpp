@@ -35,6 +35,9 @@ void InjectionMeter::add(const TraceRow& row) {
       last.max_correction_pulses = std::max(last.max_correction_pulses, std::abs(correction));
       if (correction != 0) answer();
     }
+    if (const auto* extra = std::get_if<ExtraPulses>(&last.spec.kind)) {
+      if (row.telemetry.correction[static_cast<std::size_t>(extra->axis - 1)] != Pulses{}) answer();
+    }
     count_lost_pulses(row);
   }
   underruns_ = underruns;

@@ -28,8 +28,8 @@ struct InjectedFault {
   std::optional<Cycles> servo_off{};       // a servo enable dropped
   std::optional<FaultEvent> fault{};       // the first one of the controller
   // Something responded: the controller reported a fault, a servo enable dropped, a core stopped, a tick underran, or
-  // the feedback corrected lost pulses. An Estop is answered only when all servo enables are low. A fault that comes
-  // while they are low needs no response.
+  // the feedback corrected lost or extra pulses. An Estop is answered only when all servo enables are low. A fault that
+  // comes while they are low needs no response.
   bool answered = false;
 };
 

@@ -1,43 +1,17 @@
 // What each kind of fault says about itself. The loader, KEYS.md, the schema, summary.json, screen and log follow.
-// A kind of FaultKind without an entry does not compile.
+// A kind of FaultKind without an entry does not compile. Those of lines and of the plant are in files of their own.
 #pragma once
 
 #include <fmt/format.h>
 
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "controller/base/words.hpp"
 #include "cosim/fault/fault_spec.hpp"
-#include "cosim/scenario/keys/key.hpp"
-#include "cosim/scenario/tables/shared_keys.hpp"
+#include "cosim/scenario/tables/fault_entry.hpp"
+#include "cosim/scenario/tables/line_fault_kinds.hpp"
+#include "cosim/scenario/tables/plant_fault_kinds.hpp"
 #include "cosim/text/number_text.hpp"
 
 namespace armature::cosim {
-
-template <class Kind>
-struct FaultEntry {
-  std::string_view name;                // the value of the key `kind`
-  std::string_view text;                // what happens: a main clause in Markdown, without its full stop
-  std::vector<Key<Kind>> keys;          // of scalar values; those of this kind alone
-  std::string (*details)(const Kind&);  // what follows the name on screen and in the log: ` of axis 3, 500 pulses`
-};
-
-template <class Kind>
-[[nodiscard]] const FaultEntry<Kind>& fault_entry() = delete;
-
-// The key `duration_s`, which is one key of the table for all kinds that have it, and its details.
-template <FaultWithDuration Kind>
-[[nodiscard]] Key<Kind> duration_key() {
-  return key("duration_s", &Kind::duration_s, between(kCycleS, kMaxDurationS, "s"),
-             "The fault lasts for this time, at least one cycle of the clock.")
-      .required();
-}
-template <FaultWithDuration Kind>
-[[nodiscard]] std::string duration_details(const Kind& fault) {
-  return fmt::format(" for {} s", number_text(fault.duration_s));
-}
 
 template <>
 [[nodiscard]] inline const FaultEntry<PulseLoss>& fault_entry<PulseLoss>() {
@@ -90,17 +64,10 @@ template <>
 
 template <>
 [[nodiscard]] inline const FaultEntry<StrayWrite>& fault_entry<StrayWrite>() {
-  constexpr double kMaxWord = 0xFFFF'FFFF;
   static const FaultEntry<StrayWrite> kEntry{
       .name = "stray_write",
       .text = "a program error of the processor writes a word to a register",
-      .keys = {key("address", &StrayWrite::address, between(0, kMaxWord),
-                   "Address of the register on the bus, a multiple of 4.")
-                   .required()
-                   .checked([](StrayWrite& fault, const KeyContext&) {
-                     return fault.address % 4 == 0 ? std::string{}
-                                                   : fmt::format("expected a multiple of 4, found {}", fault.address);
-                   }),
+      .keys = {address_key<StrayWrite>("Address of the register on the bus, a multiple of 4."),
                key("data", &StrayWrite::data, between(0, kMaxWord), "The word.").required()},
       .details =
           [](const StrayWrite& fault) { return fmt::format(" of 0x{:X} to 0x{:08X}", fault.data, fault.address); },
@@ -122,6 +89,73 @@ template <>
                    "the servo power. `encoder`: encoder.")
                    .required()},
       .details = [](const BlockHang& fault) { return fmt::format(" of clock {}", word_of(fault.clock)); },
+  };
+  return kEntry;
+}
+
+template <>
+[[nodiscard]] inline const FaultEntry<InterruptLost>& fault_entry<InterruptLost>() {
+  static const FaultEntry<InterruptLost> kEntry{
+      .name = "interrupt_lost",
+      .text = "core 0 does not see the interrupt of axi_timer. An interrupt of that time is late: it comes at the end",
+      .keys = {duration_key<InterruptLost>()},
+      .details = duration_details<InterruptLost>,
+  };
+  return kEntry;
+}
+
+template <>
+[[nodiscard]] inline const FaultEntry<CoreOneStuck>& fault_entry<CoreOneStuck>() {
+  static const FaultEntry<CoreOneStuck> kEntry{
+      .name = "core1_stuck",
+      .text = "core 1 does nothing from then on: no planning, no commands, no tool",
+      .keys = {},
+      .details = [](const CoreOneStuck&) { return std::string{}; },
+  };
+  return kEntry;
+}
+
+template <>
+[[nodiscard]] inline const FaultEntry<SlaveError>& fault_entry<SlaveError>() {
+  static const FaultEntry<SlaveError> kEntry{
+      .name = "slave_error",
+      .text = "the bus answers SLVERR to some accesses, and the core that gets it stops",
+      .keys = {address_key<SlaveError>("The accesses to this register, a multiple of 4."),
+               key("count", &SlaveError::count, between(1, kMaxCount, "accesses"),
+                   "The next accesses to the address, this many.")
+                   .required()},
+      .details =
+          [](const SlaveError& fault) { return fmt::format(" of 0x{:08X}, {} accesses", fault.address, fault.count); },
+  };
+  return kEntry;
+}
+
+template <>
+[[nodiscard]] inline const FaultEntry<SlowSlave>& fault_entry<SlowSlave>() {
+  static const FaultEntry<SlowSlave> kEntry{
+      .name = "slow_slave",
+      .text = "each response of the bus comes later",
+      .keys = {key("delay_us", &SlowSlave::delay_us, between(kCycleS * 1e6, 20, "us"),
+                   "Each response comes later by this time.")
+                   .required(),
+               duration_key<SlowSlave>()},
+      .details =
+          [](const SlowSlave& fault) {
+            return fmt::format(" by {} us", number_text(fault.delay_us)) + duration_details(fault);
+          },
+  };
+  return kEntry;
+}
+
+template <>
+[[nodiscard]] inline const FaultEntry<RegisterFlip>& fault_entry<RegisterFlip>() {
+  static const FaultEntry<RegisterFlip> kEntry{
+      .name = "register_flip",
+      .text = "a bit of a register flips: the processor reads the register, and writes it back with the bit inverted",
+      .keys = {address_key<RegisterFlip>("Address of the register on the bus, a multiple of 4, as of `stray_write`."),
+               key("bit", &RegisterFlip::bit, between(0, 31), "Number of the bit.").required()},
+      .details =
+          [](const RegisterFlip& fault) { return fmt::format(" of bit {} at 0x{:08X}", fault.bit, fault.address); },
   };
   return kEntry;
 }

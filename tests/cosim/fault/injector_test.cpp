@@ -1,6 +1,7 @@
 // Each kind of fault acts where it should and nowhere else, until its end.
 #include "cosim/fault/injector.hpp"
 #include "controller/base/words.hpp"
+#include "controller/regs/soc_map.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,14 +19,20 @@
 namespace armature::cosim {
 namespace {
 
+constexpr Cycles kNow{1000};
+
 // Records what a fault does to it; faults must not call the rest.
 class FaultyProcessor final : public Processor {
  public:
   std::vector<Cycles> tick_compute;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> stray_writes;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> flips;
+  std::optional<Cycles> core_one_stopped;
 
   void set_tick_compute(Cycles cost) override { tick_compute.push_back(cost); }
   void write_astray(std::uint32_t addr, std::uint32_t data) override { stray_writes.emplace_back(addr, data); }
+  void flip_astray(std::uint32_t addr, std::uint32_t mask) override { flips.emplace_back(addr, mask); }
+  void stop_core_one(Cycles now) override { core_one_stopped = now; }
 
   void run_ahead(RunAhead&) override { ADD_FAILURE(); }
   void notify(Cycles) override { ADD_FAILURE(); }
@@ -72,7 +79,7 @@ TEST(FaultInjector, DoesNothingBeforeAFault) {
 
 TEST(FaultInjector, LosesPulsesOfTheNamedDriveOnly) {
   Bench bench;
-  bench.injector.begin(PulseLoss{.axis = 3, .count = 500});
+  bench.injector.begin(PulseLoss{.axis = 3, .count = 500}, kNow);
   EXPECT_EQ(bench.pulses_to_drop(), (PerAxis<std::int64_t>{0, 0, 500, 0, 0, 0}));
   EXPECT_TRUE(bench.processor.tick_compute.empty());
   EXPECT_EQ(bench.pins(), kPinsAtRest);
@@ -80,7 +87,7 @@ TEST(FaultInjector, LosesPulsesOfTheNamedDriveOnly) {
 
 TEST(FaultInjector, ChangesTheTimeThatCoreZeroComputes) {
   Bench bench;
-  bench.injector.begin(SlowCore{.compute_us = 60});
+  bench.injector.begin(SlowCore{.compute_us = 60}, kNow);
   EXPECT_EQ(bench.processor.tick_compute, (std::vector{Cycles{3000}}));
   EXPECT_EQ(bench.pulses_to_drop(), kNoPulses);
   EXPECT_EQ(bench.pins(), kPinsAtRest);
@@ -88,7 +95,7 @@ TEST(FaultInjector, ChangesTheTimeThatCoreZeroComputes) {
 
 TEST(FaultInjector, HoldsTheEmergencyStopAndNoOtherPinUntilItsEnd) {
   Bench bench;
-  bench.injector.begin(Estop{.duration_s = 0.1});
+  bench.injector.begin(Estop{.duration_s = 0.1}, kNow);
   SocInputs stopped = kPinsAtRest;
   stopped.estop_n = false;
   EXPECT_EQ(bench.pins(), stopped);
@@ -100,8 +107,8 @@ TEST(FaultInjector, HoldsTheEmergencyStopAndNoOtherPinUntilItsEnd) {
 
 TEST(FaultInjector, HoldsTheEmergencyStopUntilTheLastOfSeveralEnds) {
   Bench bench;
-  bench.injector.begin(Estop{.duration_s = 0.2});
-  bench.injector.begin(Estop{.duration_s = 0.1});
+  bench.injector.begin(Estop{.duration_s = 0.2}, kNow);
+  bench.injector.begin(Estop{.duration_s = 0.1}, kNow);
   bench.injector.end(Estop{.duration_s = 0.1});
   EXPECT_FALSE(bench.pins().estop_n);
   bench.injector.end(Estop{.duration_s = 0.2});
@@ -136,8 +143,8 @@ TEST(FaultInjector, StopsTheClockUntilTheLastOfSeveralEnds) {
   Counter soc;
   FaultInjector injector{{.plant = plant, .processor = processor, .soc = soc}};
   EXPECT_TRUE(injector.clock_runs());
-  injector.begin(ClockStop{.duration_s = 0.2});
-  injector.begin(ClockStop{.duration_s = 0.1});
+  injector.begin(ClockStop{.duration_s = 0.2}, kNow);
+  injector.begin(ClockStop{.duration_s = 0.1}, kNow);
   EXPECT_FALSE(soc.running);
   EXPECT_FALSE(injector.clock_runs());
   injector.end(ClockStop{.duration_s = 0.1});
@@ -150,7 +157,7 @@ TEST(FaultInjector, StopsTheClockUntilTheLastOfSeveralEnds) {
 
 TEST(FaultInjector, WritesAWordAstray) {
   Bench bench;
-  bench.injector.begin(StrayWrite{.address = 0x4280'0000, .data = 0xFFFF'FFFF});
+  bench.injector.begin(StrayWrite{.address = 0x4280'0000, .data = 0xFFFF'FFFF}, kNow);
   EXPECT_EQ(bench.processor.stray_writes, (std::vector<std::pair<std::uint32_t, std::uint32_t>>{{0x4280'0000, ~0u}}));
   EXPECT_EQ(bench.pins(), kPinsAtRest);
 }
@@ -163,19 +170,74 @@ TEST(FaultInjector, StopsTheClockOfTheNamedBlocksAndExplainsBusErrorsFromThenOn)
     FaultyProcessor processor;
     const std::unique_ptr<Soc> soc = test::pin_soc(std::move(fabric));
     FaultInjector injector{{.plant = plant, .processor = processor, .soc = *soc}};
-    injector.begin(ClockStop{.duration_s = 0.1});
+    injector.begin(ClockStop{.duration_s = 0.1}, kNow);
     EXPECT_FALSE(injector.explains_bus_errors());
-    injector.begin(BlockHang{.clock = group});
+    injector.begin(BlockHang{.clock = group}, kNow);
     EXPECT_TRUE(injector.explains_bus_errors());
     EXPECT_EQ(log, (std::vector{"stop the clock of " + std::string{word_of(group)}}));
   }
 }
 
+TEST(FaultInjector, FlipsABitOfARegister) {
+  Bench bench;
+  bench.injector.begin(RegisterFlip{.address = 0x4280'0000, .bit = 31}, kNow);
+  EXPECT_EQ(bench.processor.flips, (std::vector<std::pair<std::uint32_t, std::uint32_t>>{{0x4280'0000, 1u << 31}}));
+  EXPECT_TRUE(bench.injector.is_quiet());
+}
+
+TEST(FaultInjector, StopsCoreOne) {
+  Bench bench;
+  bench.injector.begin(CoreOneStuck{}, kNow);
+  EXPECT_EQ(bench.processor.core_one_stopped, kNow);
+}
+
+TEST(FaultInjector, HidesTheInterruptOfTheTimerAndNoOtherUntilItsEnd) {
+  Bench bench;
+  EXPECT_EQ(bench.injector.seen_interrupts(0xFF), 0xFF);
+  bench.injector.begin(InterruptLost{.duration_s = 0.1}, kNow);
+  EXPECT_EQ(bench.injector.seen_interrupts(0xFF), 0xFF & ~(1u << regs::soc::kAxiTimerIrq));
+  EXPECT_FALSE(bench.injector.is_quiet());
+  bench.injector.end(InterruptLost{.duration_s = 0.1});
+  EXPECT_EQ(bench.injector.seen_interrupts(0xFF), 0xFF);
+  EXPECT_TRUE(bench.injector.is_quiet());
+}
+
+TEST(FaultInjector, AnswersSomeAccessesWithAnError) {
+  Bench bench;
+  bench.injector.begin(SlaveError{.address = 0x4280'0000, .count = 2}, kNow);
+  EXPECT_TRUE(bench.injector.explains_bus_errors());
+  EXPECT_FALSE(bench.injector.takes_for_error(0x4280'0004));
+  EXPECT_TRUE(bench.injector.takes_for_error(0x4280'0000));
+  EXPECT_FALSE(bench.injector.is_quiet());
+  EXPECT_TRUE(bench.injector.takes_for_error(0x4280'0000));
+  EXPECT_FALSE(bench.injector.takes_for_error(0x4280'0000));
+  EXPECT_TRUE(bench.injector.is_quiet());
+}
+
+TEST(FaultInjector, DelaysResponsesByTheSumOfItsFaults) {
+  Bench bench;
+  bench.injector.begin(SlowSlave{.delay_us = 1, .duration_s = 1}, kNow);
+  bench.injector.begin(SlowSlave{.delay_us = 0.02, .duration_s = 1}, kNow);
+  EXPECT_EQ(bench.injector.response_delay(), Cycles{51});
+  bench.injector.end(SlowSlave{.delay_us = 1, .duration_s = 1});
+  EXPECT_EQ(bench.injector.response_delay(), Cycles{1});
+  bench.injector.end(SlowSlave{.delay_us = 0.02, .duration_s = 1});
+  EXPECT_TRUE(bench.injector.is_quiet());
+}
+
+TEST(FaultInjector, RaisesTheAlarmOfTheNamedDriveUntilItsEnd) {
+  Bench bench;
+  bench.injector.begin(DriveAlarm{.axis = 2, .duration_s = 1}, kNow);
+  EXPECT_EQ(bench.pins().drive_alarm, 0b10);
+  bench.injector.end(DriveAlarm{.axis = 2, .duration_s = 1});
+  EXPECT_EQ(bench.pins(), kPinsAtRest);  // its servo is off
+}
+
 TEST(FaultInjector, FaultsOfDifferentKindsActTogether) {
   Bench bench;
-  bench.injector.begin(Estop{.duration_s = 0.1});
-  bench.injector.begin(PulseLoss{.axis = 1, .count = 2});
-  bench.injector.begin(SlowCore{.compute_us = 1});
+  bench.injector.begin(Estop{.duration_s = 0.1}, kNow);
+  bench.injector.begin(PulseLoss{.axis = 1, .count = 2}, kNow);
+  bench.injector.begin(SlowCore{.compute_us = 1}, kNow);
   EXPECT_FALSE(bench.pins().estop_n);
   EXPECT_EQ(bench.plant.pulses_to_drop(0), 2);
   EXPECT_EQ(bench.processor.tick_compute.size(), 1u);

@@ -67,5 +67,18 @@ TEST(DynamicPlant, HangsInItsGearsByItsWeight) {
   EXPECT_FALSE(Plant{RobotSpec{}}.load_lead_deg());
 }
 
+// The brakes are not in at once, and the weight of the arm turns the motor of axis 2 meanwhile.
+TEST(DynamicPlant, AMotorThatIsBlockedDoesNotTurnWhenTheServosGoOff) {
+  HoldingPlant free, blocked;
+  const Counts before = blocked.plant.motor_counts(1);
+  blocked.plant.block(1);
+  for (HoldingPlant* holding : {&free, &blocked}) {
+    holding->plant.on_outputs(Cycles{12'500'001}, SocOutputs{});
+    holding->advance_before(Cycles{15'000'000});
+  }
+  EXPECT_NE(free.plant.motor_counts(1), before);
+  EXPECT_EQ(blocked.plant.motor_counts(1), before);
+}
+
 }  // namespace
 }  // namespace armature::cosim

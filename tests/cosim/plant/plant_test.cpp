@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <memory>
 #include <stdexcept>
@@ -148,6 +149,42 @@ TEST(Plant, LosesThePulsesThatTheFaultScriptNames) {
   EXPECT_EQ(plant.drive_pulses(2).value(), pulses_before(200'000, 2) - 500);
 }
 
+TEST(Plant, AMotorThatIsBlockedStandsUntilNothingBlocksIt) {
+  Plant plant{RobotSpec{}};
+  plant.block(2);
+  plant.block(2);
+  run(plant, 100'000, 100'000, [&](std::int64_t) { ASSERT_EQ(plant.motor_counts(2), Counts{0}); });
+  EXPECT_NE(plant.motor_counts(1), Counts{0});
+  EXPECT_GT(std::fabs(plant.following_error(2)), 100.0);
+  plant.unblock(2);
+  for (std::int64_t now = 100'001; now < 120'000; ++now) {
+    if (plant.next_event() <= Cycles{now}) plant.advance(Cycles{now});
+  }
+  EXPECT_EQ(plant.motor_counts(2), Counts{0});
+  plant.unblock(2);
+  for (std::int64_t now = 120'000; now < 400'000; ++now) {
+    if (plant.next_event() <= Cycles{now}) plant.advance(Cycles{now});
+  }
+  EXPECT_NE(plant.motor_counts(2), Counts{0});
+}
+
+TEST(Plant, ShowsTheAlarmOfADriveWithAFaultAtOnce) {
+  Plant plant{RobotSpec{}};
+  plant.on_outputs(Cycles{1}, {.servo_on = kAllAxes});
+  plant.trip_drive(4, Cycles{2});
+  EXPECT_EQ(plant.inputs().drive_alarm, 0b010000);
+  for (std::int64_t now = 2; now < 1000; ++now) {
+    if (plant.next_event() <= Cycles{now}) plant.advance(Cycles{now});
+  }
+  plant.repair_drive(4);
+  EXPECT_EQ(plant.inputs().drive_alarm, 0b010000);
+  plant.on_outputs(Cycles{1000}, {});
+  for (std::int64_t now = 1000; now < 2000; ++now) {
+    if (plant.next_event() <= Cycles{now}) plant.advance(Cycles{now});
+  }
+  EXPECT_EQ(plant.inputs().drive_alarm, 0);
+}
+
 TEST(Plant, RefusesToSkipAnEvent) {
   Plant plant{RobotSpec{}};
   SocOutputs out;
@@ -240,6 +277,7 @@ class CoupledShafts final : public Mechanics {
     shafts.error[1] = demands.reference[0];
     return axes | 0b11;
   }
+  void block(std::size_t, bool) override {}
   bool controlled = false;
 };
 

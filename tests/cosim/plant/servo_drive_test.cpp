@@ -82,6 +82,40 @@ TEST(ServoDrive, DoesNotSeeDroppedPulses) {
   EXPECT_EQ(bench.position(), 8.0);
 }
 
+TEST(ServoDrive, CountsTheNextPulsesTwice) {
+  Bench bench;
+  bench.servo(true);
+  bench.pulses(+10);
+  bench.drive.double_pulses(5);
+  bench.pulses(+3);
+  bench.pulses(-4);
+  bench.settle();
+  EXPECT_EQ(bench.drive.counted_pulses().value(), 10 + 6 - 4 - 2);
+  EXPECT_EQ(bench.drive.dropped_pulses().value(), -(3 - 2)) << "so the sum is that of the pins";
+  EXPECT_EQ(bench.position(), 10.0);
+}
+
+TEST(ServoDrive, KeepsItsAlarmUntilTheFaultIsOverAndTheServoWasOff) {
+  Bench bench;
+  bench.servo(true);
+  bench.drive.trip();
+  EXPECT_TRUE(bench.drive.alarm());
+  EXPECT_FALSE(bench.drive.enabled());
+  bench.pulses(+3);
+  EXPECT_EQ(bench.drive.ignored_pulses().value(), 3);
+  bench.servo(false);
+  bench.servo(true);
+  EXPECT_TRUE(bench.drive.alarm()) << "the fault is not over";
+  bench.drive.repair();
+  bench.settle();
+  EXPECT_TRUE(bench.drive.alarm()) << "the servo was not off";
+  bench.servo(false);
+  EXPECT_FALSE(bench.drive.alarm());
+  bench.drive.trip();
+  bench.drive.repair();
+  EXPECT_FALSE(bench.drive.alarm());
+}
+
 TEST(ServoDrive, IgnoresPulsesWhileTheServoIsOff) {
   Bench bench;
   bench.drive.drop_pulses(1);

@@ -30,6 +30,14 @@ TEST(FaultText, SaysInWordsWhatTheScenarioSaysInKeys) {
   EXPECT_EQ(fault_text({.kind = StrayWrite{.address = 0x4280'0000, .data = 0xA5}}),
             "stray_write of 0xA5 to 0x42800000");
   EXPECT_EQ(fault_text({.kind = BlockHang{.clock = ClockGroup::kEncoder}}), "block_hang of clock encoder");
+  EXPECT_EQ(fault_text({.kind = EncoderStuck{.axis = 2, .line = EncoderLine::kB, .level = 1, .duration_s = 0.5}}),
+            "encoder_stuck of axis 2, line b = 1 for 0.5 s");
+  EXPECT_EQ(
+      fault_text({.kind = SwitchBounce{.axis = 2, .which = AxisSwitch::kLimitPos, .period_us = 50, .duration_s = 0.5}}),
+      "switch_bounce of axis 2, limit_pos, 50 us for 0.5 s");
+  EXPECT_EQ(fault_text({.kind = CoreOneStuck{}}), "core1_stuck");
+  EXPECT_EQ(fault_text({.kind = RegisterFlip{.address = 0x4280'0000, .bit = 7}}),
+            "register_flip of bit 7 at 0x42800000");
 }
 
 TEST(FaultText, GivesTheKeysOfTheKindWithTheirValues) {

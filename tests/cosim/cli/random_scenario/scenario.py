@@ -7,7 +7,7 @@ from .machine import put_machine, put_places, put_run, put_solver
 from .moves import put_move, put_move_to_ready
 from .pendant import put_pendant
 from .program import put_program_tables
-from .surroundings import put_fault, put_inputs, put_serial, put_stream
+from .surroundings import put_fault, put_inputs, put_later_fault, put_serial, put_stream
 
 
 def draw(rng, robots):
@@ -37,4 +37,5 @@ def draw(rng, robots):
     if rng.random() < 0.05:
         draft.table("golden")
         draft.put("sha256", "0123456789abcdef" * 4)
+    put_later_fault(draft)
     return draft

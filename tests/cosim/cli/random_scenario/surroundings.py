@@ -19,6 +19,86 @@ def put_stream(draft):
     draft.files["random.csv"] = "\n".join(rows) + "\n"
 
 
+def duration_of(draft):
+    return draft.number(0.00002, 0.01, 6)
+
+
+def axis_of(draft):
+    return draft.integer(1, 6)
+
+
+def counts_of(draft):
+    return draft.rng.choice([-1, 1]) * draft.integer(1, 400)
+
+
+def line_of(draft):
+    return draft.rng.choice(["a", "b", "z"])
+
+
+def switch_of(draft):
+    return draft.rng.choice(["home", "limit_pos", "limit_neg"])
+
+
+def level_of(draft):
+    return draft.rng.choice([0, 1])
+
+
+# The keys of each kind.
+LATER_FAULTS = {
+    "extra_pulses": {"axis": axis_of, "count": lambda draft: draft.integer(1, 1000)},
+    "drive_alarm": {"axis": axis_of, "duration_s": duration_of},
+    "axis_blocked": {"axis": axis_of, "duration_s": duration_of},
+    "encoder_stuck": {"axis": axis_of, "line": line_of, "level": level_of, "duration_s": duration_of},
+    "encoder_cable": {"axis": axis_of, "duration_s": duration_of},
+    "encoder_swapped": {"axis": axis_of, "duration_s": duration_of},
+    "encoder_chatter": {
+        "axis": axis_of,
+        "line": line_of,
+        "period_us": lambda draft: draft.number(0.1, 100),
+        "duration_s": duration_of,
+    },
+    "encoder_noise": {
+        "axis": axis_of,
+        "line": line_of,
+        "width_us": lambda draft: draft.number(0.02, 2, 3),
+        "mean_gap_us": lambda draft: draft.number(1, 200),
+        "duration_s": duration_of,
+    },
+    "encoder_miscount": {"axis": axis_of, "counts": counts_of},
+    "index_slip": {"axis": axis_of, "counts": counts_of},
+    "switch_stuck": {"axis": axis_of, "switch": switch_of, "level": level_of, "duration_s": duration_of},
+    "switch_bounce": {
+        "axis": axis_of,
+        "switch": switch_of,
+        "period_us": lambda draft: draft.number(1, 1000),
+        "duration_s": duration_of,
+    },
+    "interrupt_lost": {"duration_s": duration_of},
+    "core1_stuck": {},
+    "slave_error": {
+        "address": lambda draft: draft.rng.choice([0x4280_0000, 0x43C1_0008, 0x43C2_0010]),
+        "count": lambda draft: draft.integer(1, 3),
+    },
+    "slow_slave": {"delay_us": lambda draft: draft.number(0.02, 20), "duration_s": duration_of},
+    "register_flip": {
+        "address": lambda draft: draft.rng.choice([0x43C1_0014, 0x43C2_0008]),
+        "bit": lambda draft: draft.integer(0, 31),
+    },
+}
+
+
+def put_later_fault(draft):
+    """Of the kinds that came after the others: last in the draft, so that the rest of a seed stays as it was."""
+    if draft.rng.random() > 0.3:
+        return
+    draft.table("fault", "[[fault]]")
+    draft.put("at_s", draft.at())
+    kind = draft.rng.choice(list(LATER_FAULTS))
+    draft.put("kind", kind)
+    for key, value in LATER_FAULTS[kind].items():
+        draft.put(key, value(draft))
+
+
 def put_fault(draft):
     draft.table("fault", "[[fault]]")
     draft.put("at_s", draft.at())

@@ -1,0 +1,68 @@
+// The entry of a kind of fault (fault_kinds.hpp), and the keys that several kinds have.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "controller/base/words.hpp"
+#include "cosim/fault/fault_spec.hpp"
+#include "cosim/scenario/keys/key.hpp"
+#include "cosim/scenario/tables/shared_keys.hpp"
+#include "cosim/text/number_text.hpp"
+
+namespace armature::cosim {
+
+inline constexpr double kMaxWord = 0xFFFF'FFFF;
+
+template <class Kind>
+struct FaultEntry {
+  std::string_view name;                // the value of the key `kind`
+  std::string_view text;                // what happens: a main clause in Markdown, without its full stop
+  std::vector<Key<Kind>> keys;          // of scalar values; those of this kind alone
+  std::string (*details)(const Kind&);  // what follows the name on screen and in the log: ` of axis 3, 500 pulses`
+};
+
+template <class Kind>
+[[nodiscard]] const FaultEntry<Kind>& fault_entry() = delete;
+
+// The key `duration_s`, which is one key of the table for all kinds that have it, and its details.
+template <FaultWithDuration Kind>
+[[nodiscard]] Key<Kind> duration_key() {
+  return key("duration_s", &Kind::duration_s, between(kCycleS, kMaxDurationS, "s"),
+             "The fault lasts for this time, at least one cycle of the clock.")
+      .required();
+}
+template <FaultWithDuration Kind>
+[[nodiscard]] std::string duration_details(const Kind& fault) {
+  return fmt::format(" for {} s", number_text(fault.duration_s));
+}
+
+// The key `axis` of the kinds that act on one axis, which is one key of the table for all of them.
+template <class Kind>
+[[nodiscard]] Key<Kind> axis_key() {
+  return key("axis", &Kind::axis, between(1, kAxes), "The fault is at this axis.").required();
+}
+
+// The key `period_us` of the kinds that toggle.
+template <class Kind>
+[[nodiscard]] Key<Kind> period_key() {
+  return key("period_us", &Kind::period_us, between(2 * kCycleS * 1e6, 1'000'000, "us"),
+             "The line inverts at the begin, and then after each half of this period.")
+      .required();
+}
+
+// An address of a register: a multiple of 4.
+template <class Kind>
+[[nodiscard]] Key<Kind> address_key(std::string_view text) {
+  return key("address", &Kind::address, between(0, kMaxWord), text)
+      .required()
+      .checked([](Kind& fault, const KeyContext&) {
+        return fault.address % 4 == 0 ? std::string{}
+                                      : fmt::format("expected a multiple of 4, found {}", fault.address);
+      });
+}
+
+}  // namespace armature::cosim

@@ -1,0 +1,168 @@
+// The kinds of fault of the lines of encoders and switches.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <string>
+
+#include "controller/base/words.hpp"
+#include "cosim/fault/fault_spec.hpp"
+#include "cosim/scenario/tables/fault_entry.hpp"
+#include "cosim/text/number_text.hpp"
+
+namespace armature::cosim {
+
+inline constexpr std::int64_t kMaxCounts = 1'000'000;  // of a slip
+
+template <>
+[[nodiscard]] inline const FaultEntry<EncoderStuck>& fault_entry<EncoderStuck>() {
+  static const FaultEntry<EncoderStuck> kEntry{
+      .name = "encoder_stuck",
+      .text = "a line of an encoder keeps its level",
+      .keys = {axis_key<EncoderStuck>(), named_key("line", &EncoderStuck::line, "Line of the encoder.").required(),
+               key("level", &EncoderStuck::level, between(0, 1), "0 is low, 1 is high.").required(),
+               duration_key<EncoderStuck>()},
+      .details =
+          [](const EncoderStuck& fault) {
+            return fmt::format(" of axis {}, line {} = {}", fault.axis, word_of(fault.line), fault.level) +
+                   duration_details(fault);
+          },
+  };
+  return kEntry;
+}
+
+template <>
+[[nodiscard]] inline const FaultEntry<EncoderCable>& fault_entry<EncoderCable>() {
+  static const FaultEntry<EncoderCable> kEntry{
+      .name = "encoder_cable",
+      .text = "the cable of an encoder is broken: its lines are low",
+      .keys = {axis_key<EncoderCable>(), duration_key<EncoderCable>()},
+      .details =
+          [](const EncoderCable& fault) { return fmt::format(" of axis {}", fault.axis) + duration_details(fault); },
+  };
+  return kEntry;
+}
+
+template <>
+[[nodiscard]] inline const FaultEntry<EncoderSwapped>& fault_entry<EncoderSwapped>() {
+  static const FaultEntry<EncoderSwapped> kEntry{
+      .name = "encoder_swapped",
+      .text = "the lines A and B of an encoder are exchanged",
+      .keys = {axis_key<EncoderSwapped>(), duration_key<EncoderSwapped>()},
+      .details =
+          [](const EncoderSwapped& fault) { return fmt::format(" of axis {}", fault.axis) + duration_details(fault); },
+  };
+  return kEntry;
+}
+
+template <>
+[[nodiscard]] inline const FaultEntry<EncoderChatter>& fault_entry<EncoderChatter>() {
+  static const FaultEntry<EncoderChatter> kEntry{
+      .name = "encoder_chatter",
+      .text = "a line of an encoder inverts again and again",
+      .keys = {axis_key<EncoderChatter>(), named_key("line", &EncoderChatter::line, "Line of the encoder.").required(),
+               period_key<EncoderChatter>(), duration_key<EncoderChatter>()},
+      .details =
+          [](const EncoderChatter& fault) {
+            return fmt::format(" of axis {}, line {}, {} us", fault.axis, word_of(fault.line),
+                               number_text(fault.period_us)) +
+                   duration_details(fault);
+          },
+  };
+  return kEntry;
+}
+
+template <>
+[[nodiscard]] inline const FaultEntry<EncoderNoise>& fault_entry<EncoderNoise>() {
+  static const FaultEntry<EncoderNoise> kEntry{
+      .name = "encoder_noise",
+      .text = "a line of an encoder has glitches, with random gaps between them from the seed of the scenario",
+      .keys = {axis_key<EncoderNoise>(), named_key("line", &EncoderNoise::line, "Line of the encoder.").required(),
+               key("width_us", &EncoderNoise::width_us, between(kCycleS * 1e6, 1'000, "us"),
+                   "Width of a glitch, in which the level is inverted.")
+                   .required(),
+               key("mean_gap_us", &EncoderNoise::mean_gap_us, between(kCycleS * 1e6, 1'000'000, "us"),
+                   "Mean of the gaps. They are between 0 and twice the mean.")
+                   .required(),
+               duration_key<EncoderNoise>()},
+      .details =
+          [](const EncoderNoise& fault) {
+            return fmt::format(" of axis {}, line {}, {} us every {} us", fault.axis, word_of(fault.line),
+                               number_text(fault.width_us), number_text(fault.mean_gap_us)) +
+                   duration_details(fault);
+          },
+  };
+  return kEntry;
+}
+
+template <>
+[[nodiscard]] inline const FaultEntry<EncoderMiscount>& fault_entry<EncoderMiscount>() {
+  static const FaultEntry<EncoderMiscount> kEntry{
+      .name = "encoder_miscount",
+      .text = "an encoder shows counts that its shaft does not make, one each 2 us",
+      .keys = {axis_key<EncoderMiscount>(),
+               key("counts", &EncoderMiscount::counts, between(-kMaxCounts, kMaxCounts, "counts"),
+                   "So many counts more, or fewer if negative.")
+                   .required()
+                   .checked([](EncoderMiscount& fault, const KeyContext&) {
+                     return fault.counts != 0 ? std::string{} : std::string{"expected another number than 0"};
+                   })},
+      .details =
+          [](const EncoderMiscount& fault) { return fmt::format(" of axis {}, {} counts", fault.axis, fault.counts); },
+  };
+  return kEntry;
+}
+
+template <>
+[[nodiscard]] inline const FaultEntry<IndexSlip>& fault_entry<IndexSlip>() {
+  static const FaultEntry<IndexSlip> kEntry{
+      .name = "index_slip",
+      .text = "the index of an encoder comes at another place from then on",
+      .keys = {axis_key<IndexSlip>(),
+               key("counts", &IndexSlip::counts, between(-kMaxCounts, kMaxCounts, "counts"),
+                   "It comes so many counts later in the positive direction, or earlier if negative.")
+                   .required()
+                   .checked([](IndexSlip& fault, const KeyContext&) {
+                     return fault.counts != 0 ? std::string{} : std::string{"expected another number than 0"};
+                   })},
+      .details = [](const IndexSlip& fault) { return fmt::format(" of axis {}, {} counts", fault.axis, fault.counts); },
+  };
+  return kEntry;
+}
+
+template <>
+[[nodiscard]] inline const FaultEntry<SwitchStuck>& fault_entry<SwitchStuck>() {
+  static const FaultEntry<SwitchStuck> kEntry{
+      .name = "switch_stuck",
+      .text = "a switch keeps its level",
+      .keys = {axis_key<SwitchStuck>(), named_key("switch", &SwitchStuck::which, "The switch.").required(),
+               key("level", &SwitchStuck::level, between(0, 1), "0 is low, 1 is high.").required(),
+               duration_key<SwitchStuck>()},
+      .details =
+          [](const SwitchStuck& fault) {
+            return fmt::format(" of axis {}, {} = {}", fault.axis, word_of(fault.which), fault.level) +
+                   duration_details(fault);
+          },
+  };
+  return kEntry;
+}
+
+template <>
+[[nodiscard]] inline const FaultEntry<SwitchBounce>& fault_entry<SwitchBounce>() {
+  static const FaultEntry<SwitchBounce> kEntry{
+      .name = "switch_bounce",
+      .text = "a switch inverts again and again",
+      .keys = {axis_key<SwitchBounce>(), named_key("switch", &SwitchBounce::which, "The switch.").required(),
+               period_key<SwitchBounce>(), duration_key<SwitchBounce>()},
+      .details =
+          [](const SwitchBounce& fault) {
+            return fmt::format(" of axis {}, {}, {} us", fault.axis, word_of(fault.which),
+                               number_text(fault.period_us)) +
+                   duration_details(fault);
+          },
+  };
+  return kEntry;
+}
+
+}  // namespace armature::cosim

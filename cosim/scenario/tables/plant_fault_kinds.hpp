@@ -1,0 +1,51 @@
+// The kinds of fault of drives and mechanics.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+
+#include "cosim/fault/fault_spec.hpp"
+#include "cosim/scenario/tables/fault_entry.hpp"
+
+namespace armature::cosim {
+
+template <>
+[[nodiscard]] inline const FaultEntry<ExtraPulses>& fault_entry<ExtraPulses>() {
+  static const FaultEntry<ExtraPulses> kEntry{
+      .name = "extra_pulses",
+      .text = "a drive counts some pulses twice",
+      .keys = {axis_key<ExtraPulses>(), key("count", &ExtraPulses::count, between(1, kMaxCount, "pulses"),
+                                            "The drive counts the next pulses twice, this many.")
+                                            .required()},
+      .details =
+          [](const ExtraPulses& fault) { return fmt::format(" of axis {}, {} pulses", fault.axis, fault.count); },
+  };
+  return kEntry;
+}
+
+template <>
+[[nodiscard]] inline const FaultEntry<DriveAlarm>& fault_entry<DriveAlarm>() {
+  static const FaultEntry<DriveAlarm> kEntry{
+      .name = "drive_alarm",
+      .text = "a drive has an internal fault. Its alarm stays until the fault is over and its servo was off",
+      .keys = {axis_key<DriveAlarm>(), duration_key<DriveAlarm>()},
+      .details =
+          [](const DriveAlarm& fault) { return fmt::format(" of axis {}", fault.axis) + duration_details(fault); },
+  };
+  return kEntry;
+}
+
+template <>
+[[nodiscard]] inline const FaultEntry<AxisBlocked>& fault_entry<AxisBlocked>() {
+  static const FaultEntry<AxisBlocked> kEntry{
+      .name = "axis_blocked",
+      .text = "a motor shaft cannot turn: the arm has hit something",
+      .keys = {axis_key<AxisBlocked>(), duration_key<AxisBlocked>()},
+      .details =
+          [](const AxisBlocked& fault) { return fmt::format(" of axis {}", fault.axis) + duration_details(fault); },
+  };
+  return kEntry;
+}
+
+}  // namespace armature::cosim
