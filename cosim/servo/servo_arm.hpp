@@ -22,6 +22,7 @@
 
 #include "controller/base/axes.hpp"
 #include "cosim/dynamics/arm_dynamics.hpp"
+#include "cosim/logic/axis_bits.hpp"
 #include "cosim/logic/axis_pairs.hpp"
 #include "cosim/servo/load_side.hpp"
 #include "cosim/servo/servo_numbers.hpp"
