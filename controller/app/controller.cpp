@@ -4,6 +4,7 @@
 
 #include "controller/activity/source_selector.hpp"
 #include "controller/app/core0_reporter.hpp"
+#include "controller/app/inverse_console.hpp"
 #include "controller/language/gcode/flow/canon_interpreter.hpp"
 #include "controller/motion/cordic_solver.hpp"
 #include "controller/motion/count_logic_port.hpp"
@@ -16,7 +17,8 @@ namespace armature {
 // runs. So the objects on it must own nothing.
 static_assert(std::is_trivially_destructible_v<MotionLoop> && std::is_trivially_destructible_v<CountLogicPort> &&
               std::is_trivially_destructible_v<PaperLogicPort> && std::is_trivially_destructible_v<SourceSelector> &&
-              std::is_trivially_destructible_v<Core0Reporter> && std::is_trivially_destructible_v<CordicSolver>);
+              std::is_trivially_destructible_v<Core0Reporter> && std::is_trivially_destructible_v<CordicSolver> &&
+              std::is_trivially_destructible_v<InverseConsole>);
 
 static_assert(MoveQueue::kMoves <= host_memory::kMaxWaitingMoves, "the bound of the ring of core 1's events");
 static_assert(gcode::CanonInterpreter::kMaxCallsPerStep + 2 <= host_memory::kMaxProgramNotes, "the same");
@@ -75,7 +77,7 @@ void Controller::load_program() noexcept {
 }
 
 void Controller::core0_main(RegisterBus& bus, InverseSolver* solver) noexcept {
-  if (!boot_.good()) return sleep_for_ever(bus);
+  if (!boot_.good() || boot_.config().inverse) return sleep_for_ever(bus);
   const RobotModel& robot = boot_.robot();
   const ControllerConfig& config = boot_.config();
   core0_arm_.solve_with(solver);
@@ -109,6 +111,10 @@ void Controller::core0_main(RegisterBus& bus, InverseSolver* solver) noexcept {
 void Controller::core1_main(RegisterBus& bus, InverseSolver* solver) noexcept {
   if (!boot_.good()) return sleep_for_ever(bus);
   core1_arm_.solve_with(solver);
+  if (const auto& task = boot_.config().inverse) {
+    InverseConsole{core1_arm_, boot_.robot().axis_count, *task, bus}.run();
+    return sleep_for_ever(bus);
+  }
   core1_.run(bus);
 }
 

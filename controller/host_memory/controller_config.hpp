@@ -9,6 +9,7 @@
 #include "controller/cell/conveyor_config.hpp"
 #include "controller/cell/frames.hpp"
 #include "controller/cell/planning_config.hpp"
+#include "controller/host_memory/inverse_task.hpp"
 #include "controller/kinematics/transform.hpp"
 #include "controller/language/gcode/run/motion_setup.hpp"
 #include "controller/language/job/state/machine_setup.hpp"
@@ -37,17 +38,20 @@ struct ControllerConfig {
   bool referenced = true;  // the joint angles are 0 at the start; false: they are not known before Home
   // The set-points of paths are solved by ik_cordic; for robots with an arm, and not with `paper`.
   bool cordic = false;
+  // Set: core 1 solves this pose and shows the result on the serial line. Nothing moves.
+  std::optional<InverseTask> inverse{};
 
   [[nodiscard]] const void* misfit() const noexcept {
     constexpr Ticks kStart{};
     return first_misfit({{&max_stretch, max_stretch >= 1.0 && is_finite(max_stretch)},
                          {&gcode, is_known(gcode.frame, base_T_user)},
                          {&cordic, !cordic || !paper},
+                         {&inverse, !inverse || !pendant},
                          {&program_start, program_start.value_or(kStart) >= kStart},
                          {&program_resumes_after, program_resumes_after.value_or(kStart) >= kStart}});
   }
   ARMATURE_MEMBERS(ControllerConfig, sync, feedback, paper, flange_T_tool, base_T_user, max_stretch, pendant, conveyor,
-                   job, gcode, program_start, program_resumes_after, referenced, cordic)
+                   job, gcode, program_start, program_resumes_after, referenced, cordic, inverse)
 };
 
 }  // namespace armature

@@ -17,11 +17,15 @@ namespace armature::cosim {
 // cannot be loaded, and InputError as require_processor().
 [[nodiscard]] std::unique_ptr<Processor> make_processor(host_memory::HostMemory& memory, const CpuSpec& spec);
 
+// The program alone, for a core without a processor around it. `memory` and exceptions as above.
+[[nodiscard]] std::unique_ptr<CoreProgram> make_core_program(host_memory::HostMemory& memory, const CpuSpec& spec);
+
 // The simulator of ARM instructions is not a part of every program (armature-iss): its main provides it, before it
 // makes a processor.
 using MakeCoreProgram =
     std::function<std::unique_ptr<CoreProgram>(host_memory::HostMemory& memory, const CpuSpec& spec)>;
 void provide_a9(MakeCoreProgram make);
+[[nodiscard]] bool is_provided(CpuKind kind);
 // Throws InputError for a processor that is not provided, and for `cpi` without one that executes instructions.
 void require_processor(const CpuSpec& spec);
 

@@ -105,6 +105,7 @@ COSIM = {
     "check": {"logic", "bus", "plant"},
     "serial": {"time", "text", "net"},
     "pendant": {"time", "text", "net", "robot", "programs", "serial"},
+    "console": {"logic", "bus", "soc", "engine", "cpu", "serial"},
     "trace": {"time", "text"},
     "waves": {"time", "text"},
     "scenario": {"text", "poses", "logic", "robot", "belt", "programs", "bus", "cpu", "fault", "serial", "pendant"},

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstddef>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -12,7 +13,9 @@
 
 #include "cosim/cli/command/command.hpp"
 #include "cosim/cli/kinematics/chip_solutions.hpp"
+#include "cosim/cli/kinematics/console_solutions.hpp"
 #include "cosim/cli/kinematics/solutions_report.hpp"
+#include "cosim/cli/kinematics/solved_on.hpp"
 #include "cosim/cli/options/kinematics_io.hpp"
 #include "cosim/cli/options/output_options.hpp"
 #include "cosim/cli/options/word_option.hpp"
@@ -28,11 +31,15 @@ constexpr const char* kIkDetails = R"(Examples:
   armature ik --robot abb_irb120 --xyz -20 80 500 --rpy 30 120 -10 --tool 0 0 120 0 0 0 --frame 300 -100 0 0 0 90
   armature ik --robot abb_irb120 --xyz 350 -120 500 --rpy 30 120 -10 --json
   armature ik --robot abb_irb120 --xyz 350 -120 500 --rpy 30 120 -10 --on cordic
+  armature-iss ik --robot abb_irb120 --xyz 350 -120 500 --rpy 30 120 -10 --on a9
   armature ik --robot abb_irb120 --in poses.csv --out solutions.csv
 
 --on cordic: a chip (the model of the logic) solves the pose by its block ik_cordic. Below the solutions are the clocks of 20 ns
 that this takes, in the block and with all accesses of the bus, and the largest difference of a joint angle from those that the
 host computes (--on host, the default), in pulses of its motor. A pose of five axes is projected by the host first.
+--on a9 (armature-iss only): the firmware solves the pose on a Cortex-A9 and shows the joint angles on its serial line of
+115200 baud, as the program of Hu 2012 does on a Nios II. Below the solutions are this text, and the instructions of the inverse
+kinematics with their time, at 1.5 clocks of 667 MHz for each, in clocks of 20 ns.
 poses.csv has the format that 'armature fk' writes. It may have more columns prev1_deg,...: the previous joint angles.
 Without them the previous angles are 0.
 solutions.csv has one row for each branch, in the order shoulder (1, -1), elbow (1, -1), flip (1, -1):
@@ -95,6 +102,31 @@ class Deviations {
   Tally projected_, at_reach_limit_;
 };
 
+struct Found {
+  IkSolutions solutions;
+  std::string text{};  // below the table of solutions
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+};
+
+template <class Solutions>
+Found found_by(const Solutions& solutions) {
+  Found found{.solutions = solutions.solutions, .text = solutions.text()};
+  solutions.add_to(found.json);
+  return found;
+}
+
+Found solve(SolvedOn on, const ArmOfFile& robot, const Transform& base_T_flange, const JointAngles& previous) {
+  switch (on) {
+    case SolvedOn::kCordic:
+      return found_by(solve_on_chip(robot, base_T_flange, previous));
+    case SolvedOn::kA9:
+      return found_by(solve_on_a9(robot, base_T_flange, previous));
+    case SolvedOn::kHost:
+      break;
+  }
+  return {.solutions = robot.arm.inverse(base_T_flange, previous)};
+}
+
 int solve_one(const IkOptions& given, const ArmOfFile& robot) {
   constexpr double kMaxTurnDeg = 36'000;
   const auto xyz = parse_arguments("--xyz (mm)", given.xyz, 3, kMaxPositionMm);
@@ -107,17 +139,15 @@ int solve_one(const IkOptions& given, const ArmOfFile& robot) {
                        {xyz[0], xyz[1], xyz[2]}};
   const PoseFrames frames = given.files.frames();
   const Transform base_T_flange = frames.flange(pose);
-  std::optional<ChipSolutions> chip;
-  if (given.on == SolvedOn::kCordic) chip = solve_on_chip(robot, base_T_flange, previous);
-  const IkSolutions solutions = chip ? chip->solutions : robot.arm.inverse(base_T_flange, previous);
+  const Found found = solve(given.on.value_or(SolvedOn::kHost), robot, base_T_flange, previous);
   if (given.output.json) {
-    nlohmann::ordered_json json = solutions_json(solutions, previous, robot);
-    if (chip) chip->add_to(json);
+    nlohmann::ordered_json json = solutions_json(found.solutions, previous, robot);
+    json.update(found.json);
     print_json(json);
   } else {
-    write_output("-", solutions_table(solutions, previous, frames, robot) + (chip ? chip->text() : std::string{}));
+    write_output("-", solutions_table(found.solutions, previous, frames, robot) + found.text);
   }
-  return solutions.selected >= 0 ? kExitOk : kExitCheckFailed;
+  return found.solutions.selected >= 0 ? kExitOk : kExitCheckFailed;
 }
 
 int run(const IkOptions& given, const SearchPath& path) {
@@ -148,7 +178,7 @@ CommandAction declare_ik(CLI::App& app) {
   xyz->needs(rpy);
   app.add_option("--previous", options->previous, "Previous joint angles [deg] (default: all 0)")->expected(1, 6);
   add_word_option(app, "--on", options->on,
-                  "What solves one pose: host or cordic, the block of the chip (default: host)");
+                  "What solves one pose: host, a9 (the firmware) or cordic (the block of the chip); default: host");
   app.get_option("--on")->excludes("--in");
   add_json_option(app, options->output);
   app.get_option("--json")->excludes("--in");

@@ -1,7 +1,6 @@
 // The branches of a pose by the block ik_cordic of a chip, and how they differ from those of the host.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -9,23 +8,16 @@
 #include "controller/base/units.hpp"
 #include "controller/kinematics/ik_result.hpp"
 #include "controller/kinematics/transform.hpp"
+#include "cosim/cli/kinematics/solution_difference.hpp"
 #include "cosim/cli/options/kinematics_io.hpp"
 
 namespace armature::cosim {
-
-// --on of `ik`.
-enum class SolvedOn : std::uint8_t {
-  kHost,
-  kCordic,
-};
 
 struct ChipSolutions {
   IkSolutions solutions;
   std::uint32_t block_clocks = 0;  // 0: the pose did not reach the block, and the solutions are those of the host
   Cycles clocks{};                 // with all accesses of the bus
-  double difference_pulses = 0;    // the largest of a joint angle, of this branch and joint
-  std::size_t branch = 0, joint = 0;
-  std::size_t other_branches = 0;  // those that only the host or only the chip has
+  SolutionDifference difference;   // from those of the host
 
   void add_to(nlohmann::ordered_json& json) const;
   [[nodiscard]] std::string text() const;  // lines below the table of solutions

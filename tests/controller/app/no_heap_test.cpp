@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <new>
 
+#include "controller/app/inverse_console.hpp"
 #include "tests/controller/support/controller_rig.hpp"
 #include "tests/controller/support/path_rig.hpp"
 
@@ -102,6 +103,25 @@ TEST(NoHeap, PlanningAndDrivingAChainWithAHoldAllocatesNothing) {
   EXPECT_EQ(rig.moves_finished(), 4);
   EXPECT_TRUE(rig.moves[3].continues);  // from a path into a joint move
   EXPECT_EQ(rig.refusals.size(), 3u);
+}
+
+TEST(NoHeap, APoseOnTheConsoleAllocatesNothing) {
+  struct ReadyBus final : RegisterBus {
+    std::uint32_t read32(RegAddr) noexcept override { return 0x60; }
+    void write32(RegAddr, std::uint32_t) noexcept override { ++writes; }
+    Interrupts wait_for_interrupt(Interrupts mask) noexcept override { return mask; }
+    void send_event() noexcept override {}
+    Cycles now() noexcept override { return {}; }
+    void charge(Work, std::int64_t) noexcept override {}
+    int writes = 0;
+  } bus;
+  const RobotModel robot = test::irb120();
+  const Arm arm{robot};
+  const InverseTask task{.base_T_flange = {.position_mm = {300, 50, 400}}};
+  const std::int64_t before = allocations;
+  InverseConsole{arm, robot.axis_count, task, bus}.run();
+  EXPECT_EQ(allocations, before);
+  EXPECT_GT(bus.writes, 800);  // characters
 }
 
 }  // namespace

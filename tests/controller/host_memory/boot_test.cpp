@@ -206,6 +206,10 @@ TEST(Boot, AValueThatIsNotAllowedIsNamed) {
       {[](ControllerConfig& config) { config.gcode.frame = kConveyorFrame; }, "gcode.frame.index"},
       {[](ControllerConfig& config) { config.gcode.frame = FrameId{1}; }, "gcode.frame.index"},  // is not defined
       {[](ControllerConfig& config) { config.program_start = Ticks{-1}; }, "program_start.has_value"},
+      {[](ControllerConfig& config) { config.inverse = InverseTask{}; }, "inverse.has_value"},  // not with a pendant
+      {[](ControllerConfig& config) { config.inverse = InverseTask{.baud = 921'600}; }, "inverse.baud"},
+      {[](ControllerConfig& config) { config.inverse.emplace().base_T_flange.rotation *= 2.0; },
+       "inverse.base_T_flange.rotation"},
   };
   for (const auto& [spoil, name] : configs) {
     ControllerConfig config = full_config();

@@ -213,7 +213,11 @@ class Kinematics(Program):
                 ("ik", "--robot", "abb_irb120", *pose, "--tool", 0, 0, "long", 0, 0, 0),
                 '--tool (mm): expected a number from -100000 to 100000, found "long"',
             ),
-            (("ik", "--robot", "abb_irb120", *pose, "--on", "a9"), "--on: a9 not in {host,cordic}"),
+            (("ik", "--robot", "abb_irb120", *pose, "--on", "nios"), "--on: nios not in {host,a9,cordic}"),
+            (
+                ("ik", "--robot", "abb_irb120", *pose, "--on", "a9"),
+                "expected host or cordic, or the program armature-iss",
+            ),
             (("ik", "--robot", "abb_irb120", "--in", "p.csv", "--on", "cordic"), "--on"),
             (("fk", "--robot", "abb_irb120", *[0] * 6, "--frame", 0, 0, 0, 0, 0, 36001), "--frame (deg): expected"),
             (("fk", "--robot", "abb_irb120", "--tool", *[0] * 11), "expected 6 numbers, found 5"),
