@@ -1,8 +1,8 @@
 // Solves one pose and shows all joint angles on the serial line, as the program of Hu 2012 (Figure 2) does on its
 // console. The paper runs it on a Nios II; this ARM core takes its place.
 //
-//   solutions 8 status 0 selected 4
-//   branch 0 shoulder 1 elbow 1 flip 1 singular 0 clamped 0 angle1=-18.925644369 angle2=... angle6=...
+//   solutions 8 status 0 selected 1
+//   branch 0 shoulder 1 elbow 1 flip 1 singular 0 clamped 0 angle1=-13.929790531 angle2=0.761595562 ...
 //   ...
 //   end
 //

@@ -31,7 +31,6 @@ constexpr const char* kIkDetails = R"(Examples:
   armature ik --robot abb_irb120 --xyz -20 80 500 --rpy 30 120 -10 --tool 0 0 120 0 0 0 --frame 300 -100 0 0 0 90
   armature ik --robot abb_irb120 --xyz 350 -120 500 --rpy 30 120 -10 --json
   armature ik --robot abb_irb120 --xyz 350 -120 500 --rpy 30 120 -10 --on cordic
-  armature-iss ik --robot abb_irb120 --xyz 350 -120 500 --rpy 30 120 -10 --on a9
   armature ik --robot abb_irb120 --in poses.csv --out solutions.csv
 
 --on cordic: a chip (the model of the logic) solves the pose by its block ik_cordic. Below the solutions are the clocks of 20 ns
