@@ -106,7 +106,8 @@ template <>
                    "So many counts more, or fewer if negative.")
                    .required()
                    .checked([](EncoderMiscount& fault, const KeyContext&) {
-                     return fault.counts != 0 ? std::string{} : std::string{"expected another number than 0"};
+                     return fault.counts != 0 ? std::string{}
+                                              : std::string{"expected a magnitude of at least 1, found 0"};
                    })},
       .details =
           [](const EncoderMiscount& fault) { return fmt::format(" of axis {}, {} counts", fault.axis, fault.counts); },
@@ -124,7 +125,8 @@ template <>
                    "It comes so many counts later in the positive direction, or earlier if negative.")
                    .required()
                    .checked([](IndexSlip& fault, const KeyContext&) {
-                     return fault.counts != 0 ? std::string{} : std::string{"expected another number than 0"};
+                     return fault.counts != 0 ? std::string{}
+                                              : std::string{"expected a magnitude of at least 1, found 0"};
                    })},
       .details = [](const IndexSlip& fault) { return fmt::format(" of axis {}, {} counts", fault.axis, fault.counts); },
   };

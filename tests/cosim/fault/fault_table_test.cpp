@@ -17,6 +17,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "controller/base/timebase.hpp"
@@ -276,6 +277,32 @@ TEST(FaultTable, EveryKindHasARow) {
   for_each_kind<FaultKind>([&]<class Kind>(std::type_identity<Kind>) {
     EXPECT_TRUE(rows.contains(fault_kind_name(Kind{}))) << fault_kind_name(Kind{});
   });
+}
+
+// The pins of both engines are compared after each clock edge, and the rows of the trace with those of whole ticks.
+TEST(FaultTable, EveryFaultIsTheSameOnAllEngines) {
+  class Rows final : public RunListener {
+   public:
+    void on_row(const TraceRow& row, const IntegerDigest&) override {
+      rows.push_back({row.cycle, row.telemetry.encoder, row.motor_to});
+    }
+    std::vector<std::tuple<std::int64_t, PerAxis<Counts>, PerAxis<std::int64_t>>> rows;
+  };
+  for (const Case& row : kCases) {
+    const auto rows_of = [&](Engine engine) {
+      Scenario scenario = scenario_of(row, 0.01603);
+      scenario.engine = engine;
+      scenario.duration_s = 0.02;
+      RunUnderTest run{scenario};
+      Rows rows;
+      run.add(rows);
+      while (run.advance(run.now() + Cycles{1'000'000})) {
+      }
+      EXPECT_EQ(run.finish().failure, std::nullopt) << row.fault;
+      return rows.rows;
+    };
+    EXPECT_EQ(rows_of(Engine::kLockstep), rows_of(Engine::kModel)) << row.fault;
+  }
 }
 
 TEST(FaultTable, TheCommittedTableIsWhatTheRunsShow) {

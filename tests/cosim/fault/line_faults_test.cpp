@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace armature::cosim {
@@ -120,6 +121,19 @@ TEST(LineFaults, TheIndexComesLater) {
   EXPECT_EQ(lines.show(lines.plant.inputs()).enc_z, 0x3D);
   lines.faults.begin(IndexSlip{.axis = 3, .counts = RobotSpec{}.axes[2].encoder_lines * 4}, Cycles{0});
   EXPECT_EQ(lines.show(lines.plant.inputs()).enc_z, 0x3D);
+}
+
+TEST(LineFaults, TheIndexComesLaterInThePositiveDirection) {
+  const AxisSpec axis = RobotSpec{}.axes[0];
+  const double deg_per_count = 360.0 / (axis.gear_ratio * 4.0 * static_cast<double>(axis.encoder_lines));
+  const Plant plant{RobotSpec{}, std::nullopt, {7 * deg_per_count}};
+  ASSERT_EQ(plant.motor_counts(0), Counts{7});
+  LineFaults faults{plant, 1};
+  faults.begin(IndexSlip{.axis = 1, .counts = 7}, Cycles{0});
+  SocInputs pins = plant.inputs();
+  EXPECT_EQ(pins.enc_z & 1, 0);
+  faults.apply_to(pins);
+  EXPECT_EQ(pins.enc_z & 1, 1);
 }
 
 TEST(LineFaults, SwitchesStickAndBounce) {
