@@ -56,7 +56,8 @@ class Words {
 };
 
 InverseRun run_on(CpuKind kind, const ArmOfFile& robot, const InverseTask& task) {
-  CpuSpec cpu{.processor = kind};
+  CpuSpec cpu;
+  cpu.processor = kind;
   if (kind == CpuKind::kA9) cpu.cpi = kCpi;
   return run_inverse(robot.model, task, cpu);
 }
@@ -100,7 +101,10 @@ ConsoleSolutions solve_on_a9(const ArmOfFile& robot, const Transform& base_T_fla
         fmt::format("the firmware shows\n{}and the same controller on the host\n{}", run.text, text)};
   }
   const IkSolutions host = robot.arm.inverse(base_T_flange, previous);
-  ConsoleSolutions found{.console = run.text, .instructions = run.instructions, .clocks = run.clocks};
+  ConsoleSolutions found;
+  found.console = run.text;
+  found.instructions = run.instructions;
+  found.clocks = run.clocks;
   std::erase(found.console, '\r');
   found.solutions = parse_console(found.console, host, robot.spec.axis_count);
   found.difference = difference(found.solutions, host, robot.model);
