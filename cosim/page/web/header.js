@@ -43,12 +43,9 @@ function failureOf(run) {
 }
 
 function firstDifference({ other, tick }) {
-  if (!other || !other.differs) return [];
-  const differs = (counts) => counts !== 0 && !Number.isNaN(counts);
-  const rows = other.deviation.map((values) => values.findIndex(differs));
-  const row = Math.min(...rows.filter((found) => found >= 0));
-  const joint = rows.indexOf(row);
-  return [`J${joint + 1} deviates by ${other.deviation[joint][row]} counts in tick ${tick[row]}`];
+  if (!other || !other.first) return [];
+  const { row, joint, counts } = other.first;
+  return [`J${joint + 1} deviates by ${counts} counts in tick ${tick[row]}`];
 }
 
 const kMaxReasons = 3;

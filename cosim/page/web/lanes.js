@@ -85,6 +85,7 @@ class Lanes {
       ['State', stateItems(run)], ['Program', programItems(run)], ['Moves', moveItems(run)],
       ['Faults', faultItems(run)], ['Pins', pinItems(run)], ['Serial', serialItems(run)],
     ].filter(([, items]) => items.length > 0);
+    for (const [, items] of this.lanes) items.sort((one, other) => one.from - other.from);
     this.box = element(parent, 'section', 'lanes');
     this.box.id = 'lanes';
     this.canvas = element(this.box, 'canvas');
@@ -125,11 +126,12 @@ class Lanes {
     canvas.font = '11px sans-serif';
     canvas.textBaseline = 'middle';
     this.drawn = [];
+    this.textColor = pageColor('--text');
     this.lanes.forEach(([name, items], lane) => {
       const y = lane * kLaneHeight;
       canvas.fillStyle = pageColor(lane % 2 ? '--ground' : '--box');
       canvas.fillRect(kPlotLeft, y, this.width, kLaneHeight);
-      canvas.fillStyle = pageColor('--text');
+      canvas.fillStyle = this.textColor;
       canvas.textAlign = 'right';
       canvas.fillText(name, kPlotLeft - 8, y + kLaneHeight / 2);
       canvas.save();
@@ -138,17 +140,16 @@ class Lanes {
       canvas.clip();
       const shown = this.shownItems(items);
       const begins = shown.map((item) => this.pixel(item.from));
+      this.barEnd = 0;
       shown.forEach((item, i) => this.drawItem(canvas, item, y, begins[i + 1] || Infinity));
       canvas.restore();
     });
     this.placeCursor();
   }
 
-  // In the order of their times.
   shownItems(items) {
     const [from, to] = this.timeline.window;
-    const shown = items.filter((item) => item.from <= to && (item.to === undefined ? item.from : item.to) >= from);
-    return shown.sort((one, other) => one.from - other.from);
+    return items.filter((item) => item.from <= to && (item.to === undefined ? item.from : item.to) >= from);
   }
 
   // A label ends before `next`, where the next item begins.
@@ -161,8 +162,8 @@ class Lanes {
     const begin = Math.max(left, kPlotLeft);
     canvas.textAlign = 'left';
     const isMoment = item.to === undefined;
-    const onBar = !isMoment || this.drawn.some((bar) => bar.y === y && bar.item.to !== undefined && bar.right > left);
-    canvas.fillStyle = onBar ? kBarTextColor : pageColor('--text');
+    if (!isMoment) this.barEnd = Math.max(this.barEnd, right);
+    canvas.fillStyle = this.barEnd > left ? kBarTextColor : this.textColor;
     const [place, end] = isMoment ? [left + 6, next - 2] : [begin + 4, Math.min(right, next) - 4];
     const labelled = place + textWidth < end;
     if (labelled) canvas.fillText(item.label, place, y + kLaneHeight / 2);

@@ -40,7 +40,7 @@ function plotList(run) {
       names: ['encoders'], limits: null, note: pathErrorNote(error),
     });
   }
-  if (run.other && run.other.differs) {
+  if (run.other && run.other.first) {
     list.push({
       id: 'deviation', title: `Deviation from ${run.other.name}`, unit: 'counts', curves: run.other.deviation,
       ofOther: true, limits: null,

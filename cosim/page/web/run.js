@@ -157,6 +157,11 @@ class OtherRun {
     this.deviation = joints.map((joint, i) =>
       matched(`${joint}_enc_counts`).map((counts, row) => run.counts[i][row] - counts),
     );
-    this.differs = this.deviation.some((values) => values.some((counts) => counts !== 0 && !Number.isNaN(counts)));
+    const differs = (counts) => counts !== 0 && !Number.isNaN(counts);
+    const rows = this.deviation.map((values) => values.findIndex(differs));
+    const row = Math.min(...rows.filter((found) => found >= 0));
+    // The row, joint and counts of the first deviation; null: there is none.
+    const joint = rows.indexOf(row);
+    this.first = joint < 0 ? null : { row, joint, counts: this.deviation[joint][row] };
   }
 }
