@@ -20,8 +20,7 @@ struct InverseRun {
 };
 
 // The chip is the model of the logic, and core 0 sleeps. Throws InputError for a processor that is not provided, and
-// std::runtime_error when the text is wrong or does not end within
-// kLongestInverseRun.
+// std::runtime_error when the text is wrong or does not end within kLongestInverseRun.
 [[nodiscard]] InverseRun run_inverse(const RobotModel& robot, const InverseTask& task, const CpuSpec& cpu);
 inline constexpr Cycles kLongestInverseRun{100'000'000};  // 2 s: the longest text takes 0.15 s at 115200 baud
 

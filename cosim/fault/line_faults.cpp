@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "cosim/logic/axis_bits.hpp"
+#include "cosim/plant/incremental_encoder.hpp"
 #include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
@@ -63,9 +64,9 @@ struct Change {
   // The levels of the count that is `added` further. Over the counts they are 00, 10, 11, 01.
   void by(const EncoderMiscount& fault) const {
     const bool a = has_bit(pins.enc_a, axis_of(fault)), b = has_bit(pins.enc_b, axis_of(fault));
-    const std::int64_t count = (b ? (a ? 2 : 3) : (a ? 1 : 0)) + added;
-    set_bit(pins.enc_a, axis_of(fault), ((count + 1) & 2) != 0);
-    set_bit(pins.enc_b, axis_of(fault), (count & 2) != 0);
+    const Counts count{(b ? (a ? 2 : 3) : (a ? 1 : 0)) + added};
+    set_bit(pins.enc_a, axis_of(fault), IncrementalEncoder::a(count));
+    set_bit(pins.enc_b, axis_of(fault), IncrementalEncoder::b(count));
   }
   void by(const IndexSlip& fault) const {
     set_bit(pins.enc_z, axis_of(fault), plant.shows_index(axis_of(fault), Counts{-fault.counts}));

@@ -69,8 +69,8 @@ class IncrementalEncoder {
       use(edge.cycle, edge.before);
     }
   }
-  [[nodiscard]] bool a(Counts count) const { return ((count.value() + 1) & 2) != 0; }
-  [[nodiscard]] bool b(Counts count) const { return (count.value() & 2) != 0; }
+  [[nodiscard]] static constexpr bool a(Counts count) { return ((count.value() + 1) & 2) != 0; }
+  [[nodiscard]] static constexpr bool b(Counts count) { return (count.value() & 2) != 0; }
   [[nodiscard]] bool z(Counts count) const { return count.value() % counts_per_rev_ == 0; }
   [[nodiscard]] std::int64_t counts_per_rev() const { return counts_per_rev_; }
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -44,6 +45,39 @@ template <FaultWithDuration Kind>
 template <class Kind>
 [[nodiscard]] Key<Kind> axis_key() {
   return key("axis", &Kind::axis, between(1, kAxes), "The fault is at this axis.").required();
+}
+
+// The details of the kinds that have these two keys.
+template <FaultWithDuration Kind>
+[[nodiscard]] std::string axis_and_duration(const Kind& fault) {
+  return fmt::format(" of axis {}", fault.axis) + duration_details(fault);
+}
+
+// The key `line` of the kinds that act on one line of an encoder.
+template <class Kind>
+[[nodiscard]] Key<Kind> line_key() {
+  return named_key("line", &Kind::line, "Line of the encoder.").required();
+}
+
+// The key `level` of the kinds that keep a line at it.
+template <class Kind>
+[[nodiscard]] Key<Kind> level_key() {
+  return key("level", &Kind::level, between(0, 1), "0 is low, 1 is high.").required();
+}
+
+// The key `counts` of the kinds that move what an encoder shows, and their details.
+template <class Kind>
+[[nodiscard]] Key<Kind> counts_key(std::string_view text) {
+  constexpr std::int64_t kMaxCounts = 1'000'000;
+  return key("counts", &Kind::counts, between(-kMaxCounts, kMaxCounts, "counts"), text)
+      .required()
+      .checked([](Kind& fault, const KeyContext&) {
+        return fault.counts != 0 ? std::string{} : std::string{"expected a magnitude of at least 1, found 0"};
+      });
+}
+template <class Kind>
+[[nodiscard]] std::string axis_and_counts(const Kind& fault) {
+  return fmt::format(" of axis {}, {} counts", fault.axis, fault.counts);
 }
 
 // The key `period_us` of the kinds that toggle.

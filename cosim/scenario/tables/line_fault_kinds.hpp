@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdint>
 #include <string>
 
 #include "controller/base/words.hpp"
@@ -13,15 +12,12 @@
 
 namespace armature::cosim {
 
-inline constexpr std::int64_t kMaxCounts = 1'000'000;  // of a slip
-
 template <>
 [[nodiscard]] inline const FaultEntry<EncoderStuck>& fault_entry<EncoderStuck>() {
   static const FaultEntry<EncoderStuck> kEntry{
       .name = "encoder_stuck",
       .text = "a line of an encoder keeps its level",
-      .keys = {axis_key<EncoderStuck>(), named_key("line", &EncoderStuck::line, "Line of the encoder.").required(),
-               key("level", &EncoderStuck::level, between(0, 1), "0 is low, 1 is high.").required(),
+      .keys = {axis_key<EncoderStuck>(), line_key<EncoderStuck>(), level_key<EncoderStuck>(),
                duration_key<EncoderStuck>()},
       .details =
           [](const EncoderStuck& fault) {
@@ -38,8 +34,7 @@ template <>
       .name = "encoder_cable",
       .text = "the cable of an encoder is broken: its lines are low",
       .keys = {axis_key<EncoderCable>(), duration_key<EncoderCable>()},
-      .details =
-          [](const EncoderCable& fault) { return fmt::format(" of axis {}", fault.axis) + duration_details(fault); },
+      .details = axis_and_duration<EncoderCable>,
   };
   return kEntry;
 }
@@ -50,8 +45,7 @@ template <>
       .name = "encoder_swapped",
       .text = "the lines A and B of an encoder are exchanged",
       .keys = {axis_key<EncoderSwapped>(), duration_key<EncoderSwapped>()},
-      .details =
-          [](const EncoderSwapped& fault) { return fmt::format(" of axis {}", fault.axis) + duration_details(fault); },
+      .details = axis_and_duration<EncoderSwapped>,
   };
   return kEntry;
 }
@@ -61,8 +55,8 @@ template <>
   static const FaultEntry<EncoderChatter> kEntry{
       .name = "encoder_chatter",
       .text = "a line of an encoder inverts again and again",
-      .keys = {axis_key<EncoderChatter>(), named_key("line", &EncoderChatter::line, "Line of the encoder.").required(),
-               period_key<EncoderChatter>(), duration_key<EncoderChatter>()},
+      .keys = {axis_key<EncoderChatter>(), line_key<EncoderChatter>(), period_key<EncoderChatter>(),
+               duration_key<EncoderChatter>()},
       .details =
           [](const EncoderChatter& fault) {
             return fmt::format(" of axis {}, line {}, {} us", fault.axis, word_of(fault.line),
@@ -78,7 +72,7 @@ template <>
   static const FaultEntry<EncoderNoise> kEntry{
       .name = "encoder_noise",
       .text = "a line of an encoder has glitches, with random gaps between them from the seed of the scenario",
-      .keys = {axis_key<EncoderNoise>(), named_key("line", &EncoderNoise::line, "Line of the encoder.").required(),
+      .keys = {axis_key<EncoderNoise>(), line_key<EncoderNoise>(),
                key("width_us", &EncoderNoise::width_us, between(kCycleS * 1e6, 1'000, "us"),
                    "Width of a glitch, in which the level is inverted.")
                    .required(),
@@ -101,16 +95,8 @@ template <>
   static const FaultEntry<EncoderMiscount> kEntry{
       .name = "encoder_miscount",
       .text = "an encoder shows counts that its shaft does not make, one each 2 us",
-      .keys = {axis_key<EncoderMiscount>(),
-               key("counts", &EncoderMiscount::counts, between(-kMaxCounts, kMaxCounts, "counts"),
-                   "So many counts more, or fewer if negative.")
-                   .required()
-                   .checked([](EncoderMiscount& fault, const KeyContext&) {
-                     return fault.counts != 0 ? std::string{}
-                                              : std::string{"expected a magnitude of at least 1, found 0"};
-                   })},
-      .details =
-          [](const EncoderMiscount& fault) { return fmt::format(" of axis {}, {} counts", fault.axis, fault.counts); },
+      .keys = {axis_key<EncoderMiscount>(), counts_key<EncoderMiscount>("So many counts more, or fewer if negative.")},
+      .details = axis_and_counts<EncoderMiscount>,
   };
   return kEntry;
 }
@@ -121,14 +107,9 @@ template <>
       .name = "index_slip",
       .text = "the index of an encoder comes at another place from then on",
       .keys = {axis_key<IndexSlip>(),
-               key("counts", &IndexSlip::counts, between(-kMaxCounts, kMaxCounts, "counts"),
-                   "It comes so many counts later in the positive direction, or earlier if negative.")
-                   .required()
-                   .checked([](IndexSlip& fault, const KeyContext&) {
-                     return fault.counts != 0 ? std::string{}
-                                              : std::string{"expected a magnitude of at least 1, found 0"};
-                   })},
-      .details = [](const IndexSlip& fault) { return fmt::format(" of axis {}, {} counts", fault.axis, fault.counts); },
+               counts_key<IndexSlip>(
+                   "It comes so many counts later in the positive direction, or earlier if negative.")},
+      .details = axis_and_counts<IndexSlip>,
   };
   return kEntry;
 }
@@ -139,8 +120,7 @@ template <>
       .name = "switch_stuck",
       .text = "a switch keeps its level",
       .keys = {axis_key<SwitchStuck>(), named_key("switch", &SwitchStuck::which, "The switch.").required(),
-               key("level", &SwitchStuck::level, between(0, 1), "0 is low, 1 is high.").required(),
-               duration_key<SwitchStuck>()},
+               level_key<SwitchStuck>(), duration_key<SwitchStuck>()},
       .details =
           [](const SwitchStuck& fault) {
             return fmt::format(" of axis {}, {} = {}", fault.axis, word_of(fault.which), fault.level) +

@@ -30,8 +30,7 @@ template <>
       .name = "drive_alarm",
       .text = "a drive has an internal fault. Its alarm stays until the fault is over and its servo was off",
       .keys = {axis_key<DriveAlarm>(), duration_key<DriveAlarm>()},
-      .details =
-          [](const DriveAlarm& fault) { return fmt::format(" of axis {}", fault.axis) + duration_details(fault); },
+      .details = axis_and_duration<DriveAlarm>,
   };
   return kEntry;
 }
@@ -42,8 +41,7 @@ template <>
       .name = "axis_blocked",
       .text = "a motor shaft cannot turn: the arm has hit something",
       .keys = {axis_key<AxisBlocked>(), duration_key<AxisBlocked>()},
-      .details =
-          [](const AxisBlocked& fault) { return fmt::format(" of axis {}", fault.axis) + duration_details(fault); },
+      .details = axis_and_duration<AxisBlocked>,
   };
   return kEntry;
 }
