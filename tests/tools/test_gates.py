@@ -1,6 +1,7 @@
 """tools/gates: which gates have a valid record, and which processor time is too much."""
 
 import importlib.util
+import os
 import pathlib
 import sys
 import tempfile
@@ -238,6 +239,11 @@ class Groups(unittest.TestCase):
         self.assertEqual(ctest.selection("unit tests"), ["-L", "^unit$"])
         for label in ctest.LABELS.values():
             self.assertIn(label, ctest.selection(ctest.OTHERS)[1])
+
+    def test_more_tests_than_processors_run_only_where_tests_wait(self):
+        self.assertLessEqual(ctest.WAITING, ctest.LABELS.keys())
+        self.assertGreater(ctest.at_a_time("command line and page"), ctest.at_a_time("scenarios"))
+        self.assertEqual(ctest.at_a_time("scenarios"), os.cpu_count())
 
     def test_a_gate_is_selected_by_its_whole_name(self):
         _, pattern = ctest.selection("recorded gates", ["rtl.a", "mutants.b"])

@@ -86,7 +86,8 @@ class Records:
 
 def tests(session: Session, groups: list[str], unbuilt: list[str], environment: dict[str, str]):
     for group in groups:
-        session.gate(group, lambda: ctest.run(TEST, ctest.selection(group), unbuilt, environment))
+        jobs = ctest.at_a_time(group)
+        session.gate(group, lambda: ctest.run(TEST, ctest.selection(group), unbuilt, environment, jobs))
 
 
 def sanitizer_tests() -> ctest.Result:

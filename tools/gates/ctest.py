@@ -26,6 +26,8 @@ LABELS = {
     "recorded gates": f"^{GATE}",
 }
 OTHERS = "other tests"
+# Tests of these groups wait for clocks, sockets and a browser in half of their time.
+WAITING = {"command line and page"}
 
 
 @dataclass
@@ -43,15 +45,26 @@ def selection(group: str, gates: list[str] | None = None) -> list[str]:
     return ["-L", LABELS[group]]
 
 
-def run(build: Path, options: list[str], unbuilt: list[str] = (), environment: dict[str, str] | None = None) -> Result:
-    """Runs the selected tests on all processors. `unbuilt`: programs that were not built on purpose; CTest has a test
+def at_a_time(group: str) -> int:
+    """How many tests of a group run at the same time."""
+    return os.cpu_count() * (2 if group in WAITING else 1)
+
+
+def run(
+    build: Path,
+    options: list[str],
+    unbuilt: list[str] = (),
+    environment: dict[str, str] | None = None,
+    jobs: int = os.cpu_count(),
+) -> Result:
+    """Runs the selected tests, `jobs` at a time. `unbuilt`: programs that were not built on purpose; CTest has a test
     NAME_NOT_BUILT in place of the tests of each."""
     if unbuilt:
         options = [*options, "-E", f"^({'|'.join(map(re.escape, unbuilt))})_NOT_BUILT"]
     with tempfile.TemporaryDirectory() as folder:
         report = Path(folder) / "report.xml"
         done = subprocess.run(
-            ["ctest", f"-j{os.cpu_count()}", "--output-on-failure", "--output-junit", str(report), *options],
+            ["ctest", f"-j{jobs}", "--output-on-failure", "--output-junit", str(report), *options],
             cwd=build,
             env={**os.environ, **(environment or {})},
             stdout=subprocess.PIPE,
