@@ -119,12 +119,13 @@ struct CartesianMove {
   ProfileKind profile = ProfileKind::kTrapezoid;
   double blend_mm = 0.0;
   bool exact_stop = false;  // the tool stops at the end in any case; not together with a blend radius
+  bool rapid = false;       // a way to the next place of work, G0; only events and pictures tell it from others
   Orientation orientation = Orientation::kSteady;
   AtSingularity at_singularity = AtSingularity::kSlow;
   double orientation_tolerance_rad = 0.0;  // kBend: above 0, at most kMaxTolerance_rad
   Tag tag{};
   ARMATURE_MEMBERS(CartesianMove, kind, target, via_mm, about, through, outputs, limits, profile, blend_mm, exact_stop,
-                   orientation, at_singularity, orientation_tolerance_rad, tag)
+                   rapid, orientation, at_singularity, orientation_tolerance_rad, tag)
 };
 
 // Stands still between two moves, for exactly this time from the last set-point of the move before to the start of the

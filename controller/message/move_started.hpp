@@ -38,11 +38,12 @@ struct MoveStarted {
   // The first move after a stop on the path where the tool should have continued: core 1 had the move before the arm
   // began to brake, but had no plan in time that continues the motion.
   bool unasked_stop = false;
+  bool rapid = false;  // along a path: CartesianMove::rapid
   // For kJoint to a pose, and along a path: the largest error of the tool's orientation. Five joints cannot always
   // reach it; at most ArmGeometry::max_projection_rad. Six joints: at a wrist singularity, see AtSingularity.
   double residual_rad = 0.0;
   ARMATURE_MEMBERS(MoveStarted, kind, tag, start_tick, duration, shape, peak_speed_rad_s, accel_rad_s2, path, through,
-                   on_conveyor, stretch, stretched_for, continues, unasked_stop, residual_rad)
+                   on_conveyor, stretch, stretched_for, continues, unasked_stop, rapid, residual_rad)
 };
 
 }  // namespace armature

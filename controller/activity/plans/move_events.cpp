@@ -50,6 +50,7 @@ MoveStarted started(const CartesianPlan& plan, std::size_t index) {
                     .path = segment.path,
                     .stretch = segment.stretch,
                     .stretched_for = segment.stretched_for,
+                    .rapid = segment.rapid,
                     .residual_rad = segment.residual_rad};
   if (const Spline* spline = segment.path.spline) {
     const auto inner = spline->points_mm().subspan(1, spline->points_mm().size() - 2);

@@ -81,6 +81,7 @@ struct CartesianSegment {
   AtSingularity at_singularity = AtSingularity::kSlow;
   double orientation_tolerance_rad = 0.0;  // kBend
   Configuration configuration{};           // requested at the end
+  bool rapid = false;                      // of the command, for its event
   Tag tag{};                               // of the command
 };
 

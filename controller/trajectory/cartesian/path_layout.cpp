@@ -61,6 +61,7 @@ PathProblem lay_out_segment(CartesianPlan& plan, CartesianSegment& segment, cons
   segment.orientation_tolerance_rad = request.orientation_tolerance_rad;
   segment.configuration = request.configuration;
   segment.profile = request.profile;
+  segment.rapid = request.rapid;
   segment.tag = request.tag;
   return lay_out_orientation(segment, plane, from, request);
 }

@@ -99,7 +99,8 @@ struct SegmentRequest {
   double orientation_tolerance_rad = 0.0;  // kBend
   Configuration configuration{};           // requested at the end; the path is refused if it ends with another one
   PathOutputs outputs{};
-  Tag tag{};  // of the command
+  bool rapid = false;  // of the command, for its event
+  Tag tag{};           // of the command
 };
 
 // The path of the tool centre point from `from_mm`. `curve` becomes that of a spline and must outlive the path; it is

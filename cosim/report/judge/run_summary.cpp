@@ -1,6 +1,7 @@
 #include "cosim/report/judge/run_summary.hpp"
 
 #include "cosim/scenario/command_names.hpp"
+#include "cosim/scenario/program_frame.hpp"
 #include "cosim/text/version.hpp"
 
 namespace armature::cosim {
@@ -38,6 +39,8 @@ RunSummary summary_before_run(const Scenario& scenario) {
   summary.tool_version = version();
   summary.arm = scenario.robot;
   summary.tool = scenario.tool;
+  summary.frames = scenario.frames;
+  summary.program_frame = program_frame(scenario);
   summary.sources = scenario.sources;
   summary.overrides = scenario.overrides;
   summary.seed = scenario.seed;

@@ -28,11 +28,13 @@ struct RunSummary {
   std::string scenario;
   std::string description;
   std::string robot;
-  std::string tool_version;            // of this program
-  std::vector<InputFile> sources;      // all files that the run was made from
-  std::vector<std::string> overrides;  // `--set` of the command line, in their order
-  RobotSpec arm;                       // of the robot, as its file states it
-  PoseSpec tool;                       // in the flange of the arm
+  std::string tool_version;                  // of this program
+  std::vector<InputFile> sources;            // all files that the run was made from
+  std::vector<std::string> overrides;        // `--set` of the command line, in their order
+  RobotSpec arm;                             // of the robot, as its file states it
+  PoseSpec tool;                             // in the flange of the arm
+  std::vector<FrameSpec> frames;             // of the scenario, in the base
+  std::optional<std::string> program_frame;  // as program_frame() says
   std::uint64_t seed = 0;
   Variant variant = Variant::kCounts;
   Engine engine = Engine::kRtl;

@@ -119,6 +119,7 @@ RunSummary everything() {
   summary.sources = {{"f", "0"}};
   summary.variant = Variant::kPaper;
   summary.arm.kinematics = KinematicsSpec{.family = std::string{kSixRFamily}};
+  summary.frames.emplace_back();
   summary.expect_results = {{"underruns", "0", "5"}};
   summary.expect_failures = {{"underruns", "0", "5"}};
   summary.moment_wave.emplace();
@@ -137,6 +138,7 @@ RunSummary everything() {
   arc.path.advance_mm = 1;
   arc.on_conveyor = true;
   arc.unasked_stop = true;
+  arc.rapid = true;
   MoveStarted spline;
   spline.kind = MoveKind::kSpline;
   spline.path.shape = PositionPath::Shape::kSpline;

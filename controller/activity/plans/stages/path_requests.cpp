@@ -112,6 +112,7 @@ SegmentRequest PathRequests::request_of(const CartesianMove& move, const UserFra
       .orientation_tolerance_rad = move.orientation_tolerance_rad,
       .configuration = move.target.configuration,
       .outputs = move.outputs,
+      .rapid = move.rapid,
       .tag = move.tag};
   if (move.kind == SegmentRequest::Kind::kSpline) {
     through.count = move.through.count;

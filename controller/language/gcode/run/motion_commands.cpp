@@ -232,6 +232,7 @@ CartesianMove MotionCommands::move_to(const Axes6& machine, bool rapid) const no
                  .turn_speed_rad_s = !rapid && turns_only ? feed_deg_s_ * kRadPerDeg : settings.rapid_turn_rad_s,
                  .turn_accel_rad_s2 = settings.turn_accel_rad_s2};
   move.exact_stop = control_.mode == Mode::kExactStop;
+  move.rapid = rapid;
   if (control_.mode == Mode::kContinuous) {
     move.blend_mm = control_.tolerance_mm > 0.0 ? control_.tolerance_mm : settings.corner_mm;
   }

@@ -42,4 +42,12 @@ Json arm_json(const RobotSpec& robot, const PoseSpec& tool) {
           {"tool", known ? Json{{"xyz_mm", tool.xyz_mm}, {"rpy_deg", tool.rpy_deg}} : Json(nullptr)}};
 }
 
+Json frames_json(const std::vector<FrameSpec>& frames) {
+  Json array = Json::array();
+  for (const FrameSpec& frame : frames) {
+    array.push_back({{"name", frame.name}, {"xyz_mm", frame.pose.xyz_mm}, {"rpy_deg", frame.pose.rpy_deg}});
+  }
+  return array;
+}
+
 }  // namespace armature::cosim

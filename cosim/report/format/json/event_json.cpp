@@ -79,6 +79,7 @@ Json move_json(const RunFacts& facts, std::size_t i) {
     json["stretched_for_axis"] = move.stretched_for;
     json["continues"] = move.continues;
     if (move.unasked_stop) json["unasked_stop"] = true;
+    if (move.rapid) json["rapid"] = true;
     json["path"] = path_json(move);
     if (move.on_conveyor) json["on_conveyor"] = true;
   }

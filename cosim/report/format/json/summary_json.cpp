@@ -94,6 +94,8 @@ std::string summary_json(const RunSummary& summary) {
       {"inputs", sources_json(summary.sources)},
       {"tool_version", summary.tool_version},
       {"arm", arm_json(summary.arm, summary.tool)},
+      {"frames", frames_json(summary.frames)},
+      {"program_frame", summary.program_frame ? Json(*summary.program_frame) : Json(nullptr)},
       {"result", result_json(summary)},
       {"host",
        {{"wall_s", summary.host.wall_s},

@@ -47,6 +47,7 @@ TEST_F(GcodeRunner, SendsEachMoveWithItsLine) {
   EXPECT_NEAR((moves[2].target.position_mm - Eigen::Vector3d(20.0, 10.0, 60.0)).norm(), 0.0, 1e-12);
   EXPECT_DOUBLE_EQ(moves[0].limits.speed_mm_s, cell.setup.settings.rapid_mm_s);
   EXPECT_DOUBLE_EQ(moves[1].limits.speed_mm_s, 10.0);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(moves[i].rapid, i == 0) << i;
   EXPECT_EQ(port.notes_of(ProgramNote::Kind::kLine).back().place, 6U);
 }
 
