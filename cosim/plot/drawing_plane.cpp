@@ -1,5 +1,7 @@
 #include "cosim/plot/drawing_plane.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -15,6 +17,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kSmallestShapeMm = 1e-3;
+constexpr std::string_view kBaseName = "base";
 
 // The point for which `size` is largest.
 template <class Size>
@@ -67,6 +70,30 @@ DrawingPlane drawing_plane(const SpacePoints& points) {
   return {.right = plane_direction(right, points, "across the plane"),
           .up = plane_direction(up, points, "up the plane"),
           .tilt_deg = math::atan2(level, normal.z()) * kDegPerRad};
+}
+
+DrawingPlane plane_of_frame(const RecordedFrame& frame) {
+  const bool base = frame.name == kBaseName;
+  const auto direction = [&](int axis, const char* name) {
+    const Vector3d along = frame.base_T_frame.rotation.col(axis);
+    const std::string label = base ? fmt::format("{} [mm]", name) : fmt::format("{} in {} [mm]", name, frame.name);
+    return PlaneDirection{along, along.dot(frame.base_T_frame.position_mm), label};
+  };
+  return {.right = direction(0, "x"), .up = direction(1, "y"), .frame = base ? "the base" : "the frame " + frame.name};
+}
+
+bool is_level_in(const RecordedFrame& frame, const SpacePoints& points) {
+  constexpr double kMostDepth = 0.5;  // of the width: a pen that goes down and up is still drawn from above
+  const Transform frame_T_base = inverse(frame.base_T_frame);
+  Vector3d low = frame_T_base * points.front();
+  Vector3d high = low;
+  for (const Vector3d& point : points) {
+    const Vector3d inside = frame_T_base * point;
+    low = low.cwiseMin(inside);
+    high = high.cwiseMax(inside);
+  }
+  const Vector3d size = high - low;
+  return size.z() <= kMostDepth * std::max(size.x(), size.y());
 }
 
 }  // namespace armature::cosim

@@ -6,11 +6,12 @@
 
 #include "cosim/plot/planned_path.hpp"
 #include "cosim/plot/svg.hpp"
+#include "cosim/recording/recorded_frame.hpp"
 
 namespace armature::cosim {
 
-// A direction of the picture. If it is an axis of the base, `zero` is 0 and the picture has the coordinate of that
-// axis. Otherwise `zero` is at the middle of the points.
+// A direction of the picture. If it is an axis of the base or of the frame of a program, `zero` is at the origin of
+// that frame and the picture has the coordinate of that axis. Otherwise `zero` is at the middle of the points.
 struct PlaneDirection {
   Eigen::Vector3d along = Eigen::Vector3d::UnitX();  // unit vector
   double zero = 0;
@@ -20,6 +21,7 @@ struct PlaneDirection {
 struct DrawingPlane {
   PlaneDirection right, up;
   double tilt_deg = 0;  // against the floor, 0 to 90
+  std::string frame{};  // along whose z it is seen: "the base", or "the frame plate"; empty: none
 
   [[nodiscard]] PlotPoint of(const Eigen::Vector3d& point) const {
     return {right.along.dot(point) - right.zero, up.along.dot(point) - up.zero};
@@ -28,5 +30,12 @@ struct DrawingPlane {
 
 // The plane through points that are about in one plane. At least one point.
 [[nodiscard]] DrawingPlane drawing_plane(const SpacePoints& points);
+
+// x and y of this frame.
+[[nodiscard]] DrawingPlane plane_of_frame(const RecordedFrame& frame);
+
+// Whether the points are about in one plane that is parallel to x and y of this frame, so that a view along its z shows
+// what is drawn.
+[[nodiscard]] bool is_level_in(const RecordedFrame& frame, const SpacePoints& points);
 
 }  // namespace armature::cosim

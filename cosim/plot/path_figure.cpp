@@ -14,8 +14,10 @@
 #include "cosim/plot/caption.hpp"
 #include "cosim/plot/drawing_plane.hpp"
 #include "cosim/plot/panel.hpp"
+#include "cosim/plot/path_rows.hpp"
 #include "cosim/plot/planned_path.hpp"
 #include "cosim/plot/svg.hpp"
+#include "cosim/recording/recorded_frame.hpp"
 #include "cosim/text/input_error.hpp"
 #include "cosim/text/json.hpp"
 #include "cosim/text/number_text.hpp"
@@ -26,35 +28,7 @@ namespace {
 constexpr Pen kPlanned{.color = "#8c959f", .width = 1.2, .dashes = "6 4"};
 constexpr Pen kSetPoints{.color = "#9ecbff", .width = 5};
 constexpr Pen kEncoders{.color = "#0550ae", .width = 1.5};
-
-// Rows of the trace, from the first one to the last one.
-using RowSpan = std::pair<std::size_t, std::size_t>;
-
-// The rows in which moves on paths are under way, in connected pieces. Without such a move: all rows.
-std::vector<RowSpan> path_rows(const RunRecord& run) {
-  std::vector<std::pair<std::int64_t, std::int64_t>> ticks;
-  for (const Json& move : run.summary["result"]["moves"]) {
-    if (!move.contains("path")) continue;
-    const auto start = move["start_tick"].get<std::int64_t>();
-    const Json& duration = move["taken_ticks"].is_null() ? move["duration_ticks"] : move["taken_ticks"];
-    ticks.emplace_back(start, start + duration.get<std::int64_t>());
-  }
-  const NumberColumn& tick = run.trace.column("tick");
-  const auto on_path = [&](std::size_t row) {
-    return ticks.empty() || std::ranges::any_of(ticks, [now = tick.values[row]](const auto& span) {
-             return now >= span.first && now <= span.second;
-           });
-  };
-  std::vector<RowSpan> spans;
-  bool inside = false;
-  for (std::size_t row = 0; row < run.trace.rows(); ++row) {
-    const bool now = on_path(row);
-    if (now && !inside) spans.emplace_back(row, row);
-    if (now) spans.back().second = row;
-    inside = now;
-  }
-  return spans;
-}
+constexpr Pen kRapids{.color = "#0550ae", .width = 0.8, .dashes = "3 4"};
 
 // The tool centre point of `side`, "ref" or "enc".
 class ToolColumnsOf {
@@ -68,9 +42,9 @@ class ToolColumnsOf {
       }
     }
   }
-  [[nodiscard]] SpacePoints points(RowSpan rows) const {
+  [[nodiscard]] SpacePoints points(const PathRows& rows) const {
     SpacePoints points;
-    for (std::size_t row = rows.first; row <= rows.second; ++row) {
+    for (std::size_t row = rows.first; row <= rows.last; ++row) {
       points.emplace_back(columns_[0]->number(row), columns_[1]->number(row), columns_[2]->number(row));
     }
     return points;
@@ -82,6 +56,7 @@ class ToolColumnsOf {
 
 struct DrawnPath {
   std::vector<SpacePoints> planned, set_points, encoders;  // pieces
+  std::vector<SpacePoints> rapids;                         // of the encoders
   SpacePoints all;
 };
 
@@ -89,13 +64,15 @@ DrawnPath drawn_path(const RunRecord& run) {
   const ToolColumnsOf reference{run.trace, "ref"};
   const ToolColumnsOf encoder{run.trace, "enc"};
   DrawnPath path;
-  for (const Json& move : run.summary["result"]["moves"]) path.planned.push_back(planned_path(move));
-  std::erase_if(path.planned, [](const SpacePoints& points) { return points.empty(); });
-  for (const RowSpan& rows : path_rows(run)) {
-    path.set_points.push_back(reference.points(rows));
-    path.encoders.push_back(encoder.points(rows));
+  for (const Json& move : run.summary["result"]["moves"]) {
+    if (!move.value("rapid", false)) path.planned.push_back(planned_path(move));
   }
-  for (const auto* pieces : {&path.planned, &path.set_points, &path.encoders}) {
+  std::erase_if(path.planned, [](const SpacePoints& points) { return points.empty(); });
+  for (const PathRows& rows : path_rows(run)) {
+    (rows.rapid ? path.rapids : path.encoders).push_back(encoder.points(rows));
+    if (!rows.rapid) path.set_points.push_back(reference.points(rows));
+  }
+  for (const auto* pieces : {&path.planned, &path.set_points, &path.encoders, &path.rapids}) {
     for (const SpacePoints& piece : *pieces) std::ranges::copy(piece, std::back_inserter(path.all));
   }
   if (path.all.empty() || !std::ranges::all_of(path.all, [](const auto& point) { return point.allFinite(); })) {
@@ -104,11 +81,38 @@ DrawnPath drawn_path(const RunRecord& run) {
   return path;
 }
 
+// The plane of the program, or else the one in which the tool draws. The ways between cuts have no part in it.
+DrawingPlane plane_of(const RunRecord& run, const DrawnPath& path) {
+  SpacePoints cuts;
+  for (const SpacePoints& piece : path.encoders) std::ranges::copy(piece, std::back_inserter(cuts));
+  if (cuts.empty()) cuts = path.all;
+  const auto frame = recorded_program_frame(run.summary);
+  return frame && is_level_in(*frame, cuts) ? plane_of_frame(*frame) : drawing_plane(cuts);
+}
+
+std::string plane_text(const DrawingPlane& plane) {
+  if (!plane.frame.empty()) return fmt::format("path of the tool, seen along z of {}", plane.frame);
+  return plane.tilt_deg < 0.5
+             ? "path of the tool in its plane, which is level"
+             : fmt::format("path of the tool in its plane, which is tilted by {} deg", fixed_text(plane.tilt_deg, 0));
+}
+
 // "0.46 mm", or "not measured".
 std::string off_by_text(const RunRecord& run, const char* key) {
   const Json& result = run.summary["result"];
   if (!result.contains(key) || !result[key].is_object()) return "not measured";
   return fixed_text(result[key]["mm"].get<double>(), 3) + " mm";
+}
+
+std::vector<LegendEntry> legend_of(const RunRecord& run, const DrawnPath& path) {
+  const bool rapids = !path.rapids.empty();
+  const double width = rapids ? 243 : 275;
+  std::vector<LegendEntry> entries{
+      {"programmed", kPlanned, 110},
+      {"set-points, off by at most " + off_by_text(run, "command_path_error"), kSetPoints, width},
+      {"encoders, off by at most " + off_by_text(run, "path_error"), kEncoders, width}};
+  if (rapids) entries.push_back({"rapids", kRapids, 60});
+  return entries;
 }
 
 // Scales of the same length for a millimetre in both directions. `height` is that of the frame.
@@ -140,28 +144,21 @@ SquareScales square_scales(const std::vector<PlotPoint>& points, double width) {
 
 std::string path_figure(const RunRecord& run) {
   const DrawnPath path = drawn_path(run);
-  const DrawingPlane plane = drawing_plane(path.all);
+  const DrawingPlane plane = plane_of(run, path);
   const auto flat = [&](const SpacePoints& points) {
     std::vector<PlotPoint> drawn;
     std::ranges::transform(points, std::back_inserter(drawn), [&](const auto& point) { return plane.of(point); });
     return drawn;
   };
   const std::string title = run.summary["description"].get<std::string>();
-  const Caption caption{
-      title,
-      fmt::format("{}: path of the tool in its plane, {}", run.summary["scenario"].get<std::string>(),
-                  plane.tilt_deg < 0.5 ? "which is level"
-                                       : fmt::format("which is tilted by {} deg", fixed_text(plane.tilt_deg, 0)))};
+  const Caption caption{title, fmt::format("{}: {}", run.summary["scenario"].get<std::string>(), plane_text(plane))};
   const double width = kPictureRight - kPictureLeft;
   const SquareScales scales = square_scales(flat(path.all), width);
   const double legend_y = caption.height() + 28;
   const PlotPoint corner{kPictureLeft, legend_y + 14};
   SvgPicture picture{kPictureWidth, corner.y + scales.height + 50, title};
   caption.draw(picture);
-  draw_legend(picture, legend_y,
-              {{"programmed", kPlanned, 110},
-               {"set-points, off by at most " + off_by_text(run, "command_path_error"), kSetPoints, 275},
-               {"encoders, off by at most " + off_by_text(run, "path_error"), kEncoders, 275}});
+  draw_legend(picture, legend_y, legend_of(run, path));
   Panel panel{picture,
               {.corner = corner,
                .width = width,
@@ -172,8 +169,10 @@ std::string path_figure(const RunRecord& run) {
                .y_label = plane.up.label}};
   for (const SpacePoints& piece : path.set_points) panel.curve(flat(piece), kSetPoints);
   for (const SpacePoints& piece : path.planned) panel.curve(flat(piece), kPlanned);
+  for (const SpacePoints& piece : path.rapids) panel.curve(flat(piece), kRapids);
   for (const SpacePoints& piece : path.encoders) panel.curve(flat(piece), kEncoders);
-  panel.dot(plane.of(path.encoders.front().front()), 5, kEncoders.color);
+  const auto& begin = path.encoders.empty() ? path.rapids : path.encoders;
+  panel.dot(plane.of(begin.front().front()), 5, kEncoders.color);
   return picture.document();
 }
 

@@ -1,5 +1,6 @@
 """armature plot: pictures of a run."""
 
+import json
 import re
 import xml.etree.ElementTree
 
@@ -12,6 +13,28 @@ duration_s = 0.18
 at_s = 0.01
 type = "joint"
 target_deg = [3, -2.5, 2, 1, -1, 2]
+"""
+CUT = """description = "d"
+robot = "abb_irb120"
+duration_s = 1.9
+program = "part.ngc"
+program_at_s = 0.8
+[trace]
+tcp = true
+[tool]
+xyz_mm = [0, 0, 100]
+[[frame]]
+name = "table"
+xyz_mm = [380, 0, 300]
+rpy_deg = [0, -40, 90]
+[gcode]
+frame = "table"
+[[move]]
+at_s = 0.01
+type = "joint"
+xyz_mm = [0, 0, 5]
+rpy_deg = [180, 0, 0]
+frame = "table"
 """
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -57,6 +80,48 @@ class Plot(Program):
             self.armature("plot", "x", "--figure", figure)
             self.assertEqual((self.folder / f"x/{figure}.svg").read_text(), first)
             xml.etree.ElementTree.fromstring(first)
+
+    def test_the_path_of_a_program_is_drawn_in_its_frame_with_dashed_rapids(self):
+        """On a table that leans by 40 degrees, cut one millimetre deep: a square from (0, 0) to (6, 6)."""
+        (self.folder / "robots").symlink_to(SCENARIOS / "robots")
+        (self.folder / "part.ngc").write_text("G21 G90 G61 F6000\nG0 X0 Y0 Z2\nG1 Z1\nX6\nY6\nX0\nY0\nG0 Z2\nX9\nM2\n")
+        self.text("cut.toml", CUT)
+        self.armature("run", "cut.toml", "--path", SCENARIOS, "--out", "x")
+        moves = json.loads((self.folder / "x/summary.json").read_text())["result"]["moves"]
+        rapid = {
+            int(move["command"].split()[1]): move.get("rapid", False) for move in moves if "line" in move["command"]
+        }
+        self.assertEqual(rapid, {2: True, 3: False, 4: False, 5: False, 6: False, 7: False, 8: True, 9: True})
+        document = self.picture("x", "path")
+        for text in ("x in table [mm]", "y in table [mm]", "seen along z of the frame table", ">rapids<"):
+            self.assertIn(text, document)
+        x, y = self.scales_of(document)
+        for curve in polylines(document):  # set-points and encoders of the cut
+            for axis in range(2):
+                shown = [(x, y)[axis](point[axis]) for point in curve]
+                self.assertAlmostEqual(min(shown), 0, delta=0.03)
+                self.assertAlmostEqual(max(shown), 6, delta=0.03)
+        dashed = [
+            curve.get("points").split()
+            for curve in xml.etree.ElementTree.fromstring(document).iter(SVG + "polyline")
+            if curve.get("stroke-dasharray") == "3 4"
+        ]
+        last = tuple(map(float, dashed[-1][-1].split(",")))
+        self.assertAlmostEqual(x(last[0]), 9, delta=0.1)  # the encoders lag
+        self.assertAlmostEqual(y(last[1]), 0, delta=0.03)
+
+    def scales_of(self, document):
+        """From pixels to millimetres, by the numbers of the picture."""
+
+        def scale(marks):
+            marks = [(float(at), float(number.replace("\u2212", "-"))) for at, number in marks]
+            (p0, v0), (p1, v1) = marks[0], marks[-1]
+            return lambda pixel: v0 + (pixel - p0) * (v1 - v0) / (p1 - p0)
+
+        number = r">([\u2212\d.]+)<"
+        x = scale(re.findall(r'<text x="([-\d.]+)" [^>]*text-anchor="middle"' + number, document))
+        y = scale(re.findall(r'y="([-\d.]+)" [^>]*text-anchor="end"' + number, document))
+        return x, lambda pixel: y(pixel + 4)  # a number stands 4 px below its line
 
     def test_a_description_with_markup_stays_text(self):
         scenario = self.copy_of(TINY)

@@ -50,5 +50,27 @@ TEST(DrawingPlane, AStraightLineHasAPlane) {
   }
 }
 
+TEST(DrawingPlane, OfAFrameHasItsCoordinates) {
+  // Upside down: x is that of the base, y and z are opposite.
+  RecordedFrame frame{.name = "plate"};
+  frame.base_T_frame.rotation = Vector3d{1, -1, -1}.asDiagonal();
+  frame.base_T_frame.position_mm = {400, 50, 200};
+  const DrawingPlane plane = plane_of_frame(frame);
+  EXPECT_EQ(plane.right.label, "x in plate [mm]");
+  EXPECT_EQ(plane.frame, "the frame plate");
+  const PlotPoint at = plane.of({407, 47, 190});
+  EXPECT_NEAR(at.x, 7, 1e-9);
+  EXPECT_NEAR(at.y, 3, 1e-9);
+  EXPECT_EQ(plane_of_frame({.name = "base"}).up.label, "y [mm]");
+}
+
+TEST(DrawingPlane, AFrameShowsWhatIsAboutLevelInIt) {
+  RecordedFrame wall{.name = "wall"};
+  wall.base_T_frame.rotation << 0, 0, 1, 1, 0, 0, 0, 1, 0;  // its z is x of the base
+  const SpacePoints drawn{{500, 0, 0}, {500, 40, 0}, {505, 40, 30}};
+  EXPECT_TRUE(is_level_in(wall, drawn));
+  EXPECT_FALSE(is_level_in({.name = "base"}, drawn));
+}
+
 }  // namespace
 }  // namespace armature::cosim

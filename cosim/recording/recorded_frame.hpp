@@ -1,0 +1,24 @@
+// The frames of a run, read from the summary.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "controller/kinematics/transform.hpp"
+
+namespace armature::cosim {
+
+struct RecordedFrame {
+  std::string name;  // "base", or that of a [[frame]]
+  Transform base_T_frame{};
+};
+
+// Those of the scenario. None if an older version wrote the summary.
+[[nodiscard]] std::vector<RecordedFrame> recorded_frames(const nlohmann::ordered_json& summary);
+
+// Nothing if the run has no program with positions, or if an older version wrote the summary.
+[[nodiscard]] std::optional<RecordedFrame> recorded_program_frame(const nlohmann::ordered_json& summary);
+
+}  // namespace armature::cosim
