@@ -4,7 +4,7 @@ set(page_web ${CMAKE_CURRENT_LIST_DIR}/web)
 # Order matters: a file uses what stands before it.
 set(page_scripts
   dom colors decode decimate kinematics run timeline address path_error plots lanes
-  arm header tables time_bar keys reload main)
+  arm tool_path program_text header tables time_bar keys reload main)
 list(TRANSFORM page_scripts REPLACE "(.+)" "${page_web}/\\1.js")
 
 find_path(dygraphs_js dygraph.min.js PATHS /usr/share/javascript/dygraphs NO_DEFAULT_PATH REQUIRED)

@@ -52,18 +52,22 @@ Json errors_json(const RunRecord& run) {
 
 }  // namespace
 
-Json run_data(const RunRecord& run, const std::vector<SerialRecord>& serial, const std::optional<TraceTable>& load,
-              const std::optional<OtherTrace>& other) {
+Json run_data(const RunRecord& run, const PageParts& parts) {
   Json data = {{"summary", run.summary}, {"trace", trace_json(run.trace)}};
   data["summary"].erase("host");  // the page has the same bytes on every machine
   data["errors"] = errors_json(run);
   Json bytes = Json::array();
-  for (const SerialRecord& one : serial) {
+  for (const SerialRecord& one : parts.serial) {
     bytes.push_back({{"time", one.time_s}, {"direction", one.direction}, {"text", one.text}, {"error", one.error}});
   }
   data["serial"] = std::move(bytes);
-  data["load"] = load ? trace_json(*load) : Json(nullptr);
-  data["other"] = other ? Json{{"name", other->name}, {"trace", trace_json(other->trace)}} : Json(nullptr);
+  data["load"] = parts.load ? trace_json(*parts.load) : Json(nullptr);
+  data["programs"] = Json::array();
+  for (const RecordedProgram& one : parts.programs) {
+    data["programs"].push_back({{"name", one.name}, {"text", one.text}, {"problem", one.problem}});
+  }
+  data["other"] =
+      parts.other ? Json{{"name", parts.other->name}, {"trace", trace_json(parts.other->trace)}} : Json(nullptr);
   return data;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cosim/page/serial_record.hpp"
+#include "cosim/recording/recorded_program.hpp"
 #include "cosim/recording/run_record.hpp"
 #include "cosim/recording/trace_table.hpp"
 
@@ -18,9 +19,14 @@ struct OtherTrace {
   TraceTable trace;
 };
 
-// `load`: what the cores did, as load.csv says.
-[[nodiscard]] nlohmann::ordered_json run_data(const RunRecord& run, const std::vector<SerialRecord>& serial,
-                                              const std::optional<TraceTable>& load,
-                                              const std::optional<OtherTrace>& other);
+// What the page shows besides trace and summary.
+struct PageParts {
+  std::vector<SerialRecord> serial{};
+  std::optional<TraceTable> load{};  // what the cores did, as load.csv says
+  std::optional<OtherTrace> other{};
+  std::vector<RecordedProgram> programs{};
+};
+
+[[nodiscard]] nlohmann::ordered_json run_data(const RunRecord& run, const PageParts& parts);
 
 }  // namespace armature::cosim

@@ -34,7 +34,10 @@ std::string write_report(const fs::path& folder, const fs::path& page, const Rep
       other ? std::optional{OtherTrace{.name = other->string(), .trace = read_trace_table(*other)}} : golden_of(run);
   const fs::path load_file = folder / kLoadFile;
   const auto load = is_file(load_file) ? std::optional{read_trace_table(load_file)} : std::nullopt;
-  const auto data = run_data(run, read_serial_record(folder / kSerialFile), load, compared);
+  const auto data = run_data(run, {.serial = read_serial_record(folder / kSerialFile),
+                                   .load = load,
+                                   .other = compared,
+                                   .programs = recorded_programs(run.summary)});
   const ReportPage report = report_page(data, request.page);
   replace_text_file(page, report.text);
   return report.digest;

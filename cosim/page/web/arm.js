@@ -1,17 +1,6 @@
 // The arm in three dimensions: links at the encoder positions, and the paths of the tool. Drawn by three.js.
 
 const kMmPerUnit = 1000;
-const kMaxPathPoints = 20000;
-
-// The tool path of one side of run.tool as points for a line.
-function toolPath(run, side) {
-  const step = Math.max(1, Math.ceil(run.time.length / kMaxPathPoints));
-  const points = [];
-  for (let row = 0; row < run.time.length; row += step) {
-    points.push(new THREE.Vector3(...side.map((values) => values[row])).divideScalar(kMmPerUnit));
-  }
-  return points;
-}
 
 class ArmView {
   constructor(parent, run, timeline) {
@@ -68,32 +57,24 @@ class ArmView {
   }
 
   addPaths() {
-    const line = (side, color) => {
-      const geometry = new THREE.BufferGeometry().setFromPoints(toolPath(this.run, side));
-      this.scene.add(new THREE.Line(geometry, new THREE.LineBasicMaterial({ color })));
-      geometry.computeBoundingBox();
-      return geometry.boundingBox;
-    };
-    this.bounds = line(this.run.tool.reference, 0xe16f24).union(line(this.run.tool.encoder, 0x0969da));
-    this.drawn = this.drawnBounds();
-    const legend = element(this.box, 'div', 'legend');
-    for (const [name, color] of [['set-points', '#e16f24'], ['encoders', '#0969da']]) {
-      const entry = element(legend, 'span');
-      entry.textContent = `― ${name}`;
-      entry.style.color = color;
-    }
+    const sides = [['set-points', 'reference', '#e16f24'], ['encoders', 'encoder', '#0969da']];
+    const paths = sides.map(([, side]) => toolPath(this.run, this.run.tool[side]));
+    this.bounds = new THREE.Box3();
+    for (const { points } of paths.flat()) for (const point of points) this.bounds.expandByPoint(point);
+    const planned = plannedBounds(this.run);
+    this.drawn = planned.isEmpty() ? this.bounds : planned;
+    const size = this.drawn.getSize(new THREE.Vector3()).length();
+    paths.forEach((pieces, i) => pieces.forEach((piece) => this.scene.add(pathLine(piece, sides[i][2], size))));
+    this.addLegend(sides, paths.flat().some(({ way }) => way));
   }
 
-  // The box around the paths of the moves. Without such moves: around all that the tool did.
-  drawnBounds() {
-    const bounds = new THREE.Box3();
-    for (const { path } of this.run.summary.result.moves) {
-      if (!path) continue;
-      const points = [path.start_mm, path.end_mm, ...(path.through_mm || [])];
-      if (path.radius_mm) for (const side of [-1, 1]) points.push(path.center_mm.map((mm) => mm + side * path.radius_mm));
-      for (const point of points) bounds.expandByPoint(new THREE.Vector3(...point).divideScalar(kMmPerUnit));
+  addLegend(sides, hasWays) {
+    const legend = element(this.box, 'div', 'legend');
+    for (const [name, , color] of [...sides, ...(hasWays ? [['┄ ways between cuts', '', pageColor('--soft')]] : [])]) {
+      const entry = element(legend, 'span');
+      entry.textContent = name.startsWith('┄') ? name : `― ${name}`;
+      entry.style.color = color;
     }
-    return bounds.isEmpty() ? this.bounds : bounds;
   }
 
   addArm() {

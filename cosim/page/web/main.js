@@ -10,6 +10,7 @@ function showReport() {
   showMarks(place('plots'), run);
   const plots = plotList(run).map((what) => new Plot(place('plots'), what, run, timeline, selection));
   const arm = new ArmView(place('side'), run, timeline);
+  const program = run.programs.length > 0 ? new ProgramText(place('side'), run, timeline) : null;
   showExpectations(place('side'), run);
   showMoves(place('side'), run, timeline);
   followKeys(run, timeline);
@@ -18,7 +19,7 @@ function showReport() {
   if (run.page.digest) watchReport(place('head'), run.page, timeline);
   document.body.dataset.ready = 'yes';
   // For tests and for the console of the browser.
-  window.report = { run, timeline, plots, lanes, arm, selection, pathErrors };
+  window.report = { run, timeline, plots, lanes, arm, program, selection, pathErrors, wayRows };
 }
 
 showReport();

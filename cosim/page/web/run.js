@@ -55,6 +55,7 @@ class Run {
     this.summary = data.summary;
     this.serial = data.serial;
     this.errors = data.errors;
+    this.programs = data.programs;
     this.page = data.page;
     const columns = new Map(data.trace.columns.map((column) => [column.name, column]));
     const numbers = (name) => (columns.has(name) ? decodeColumn(columns.get(name)) : null);

@@ -306,6 +306,77 @@ class Report(Panels):
         for part in ("Program 1;", "Program cut it;", "Program ended;", "Moves line 3 of part.ngc: line"):
             self.assertIn(part, text + ";")
 
+    def test_the_line_of_the_program_at_the_cursor_is_highlighted_and_a_click_leads_to_a_line(self):
+        out = self.show(SCENARIOS / "gcode_laser_cut", "--engine", "model")
+        text = (SCENARIOS / "gcode_laser_cut/plate.ngc").read_text().splitlines()
+        self.assertEqual(self.page.run("[...document.querySelectorAll('#program li')].map(l => l.textContent)"), text)
+        moves = self.moves_of_lines(out)
+        start = self.page.run("report.run.time[0] - report.run.tick[0] * 50e-6")
+        highlighted = "[...document.querySelectorAll('#program li')].findIndex(l => l.classList.contains('%s')) + 1"
+        for line, first, last in moves:
+            at = start + (first + 0.9 * (last - first)) * 50e-6
+            self.page.run(f"report.timeline.setTime({at})")
+            self.assertEqual(self.page.run(highlighted % "moves"), line)
+            self.page.run("report.timeline.setTime(0)")
+            self.assertEqual(self.page.run(highlighted % "moves"), 0)
+            self.page.run(f"document.querySelectorAll('#program li')[{line - 1}].click()")
+            self.assertAlmostEqual(self.page.run("report.timeline.time"), start + first * 50e-6, places=9)
+        # Core 1 reads the last line while the arm is still cutting.
+        self.page.run("report.timeline.setTime(2)")
+        self.assertEqual(self.page.run(highlighted % "reads"), len(text))
+        self.page.run("report.timeline.setTime(report.timeline.end)")
+        self.assertEqual(self.page.run(highlighted % "reads"), 0)
+        # A line that does nothing leads nowhere.
+        comment = "document.querySelectorAll('#program li')[0]"
+        self.assertIn("A laser cuts", self.page.run(f"{comment}.textContent"))
+
+    def moves_of_lines(self, out):
+        """(line, first tick, last tick) of each move of the program."""
+        moves = json.loads((out / "summary.json").read_text())["result"]["moves"]
+        found = [(re.match(r"line (\d+) of plate.ngc", move["command"]), move) for move in moves]
+        return [
+            (int(line[1]), move["start_tick"], move["start_tick"] + move["taken_ticks"]) for line, move in found if line
+        ]
+
+    def test_ways_between_cuts_are_dashed(self):
+        out = self.show(SCENARIOS / "gcode_laser_cut", "--engine", "model")
+        # By the text of the program, in which each line has its own G0 or G1, G2, G3.
+        text = (SCENARIOS / "gcode_laser_cut/plate.ngc").read_text().splitlines()
+        cuts = [(first, last) for line, first, last in self.moves_of_lines(out) if not text[line - 1].startswith("G0")]
+        ticks = [int(row["tick"]) for row in self.rows(out / "trace.csv")]
+        shown = self.page.run(
+            "(isWay => Array.from(report.run.tick, (_, row) => isWay(row)))(report.wayRows(report.run))"
+        )
+        inside = [any(first < tick < last for first, last in cuts) for tick in ticks]
+        # A rounded corner between both belongs to either.
+        self.assertLess(sum(way == cut for way, cut in zip(shown, inside)), 0.01 * len(ticks))
+        self.assertGreater(sum(shown), 300)
+        dashed = (
+            "report.arm.scene.children.filter(c => c.isLine && Boolean(c.material.isLineDashedMaterial) === %s).length"
+        )
+        self.assertGreater(self.page.run(dashed % "true"), 4)
+        self.assertGreater(self.page.run(dashed % "false"), 4)
+        self.show(MOVES)
+        self.assertEqual(
+            self.page.run("report.run.time.filter((_, row) => report.wayRows(report.run)(row)).length > 0"), True
+        )
+
+    def test_a_program_that_has_changed_since_the_run_is_not_shown(self):
+        (self.folder / "s").mkdir()
+        (self.folder / "robots").symlink_to(SCENARIOS / "robots")
+        (self.folder / "s/part.ngc").write_text("G21 G91 F6000\nG1 X1\nM2\n")
+        (self.folder / "s/scenario.toml").write_text(
+            'description = "d"\nrobot = "abb_irb120"\nduration_s = 0.1\nprogram = "part.ngc"\n'
+        )
+        self.armature("run", "s", "--out", "x")
+        self.armature("report", "x")
+        self.open("x/report.html")
+        self.assertEqual(self.page.run("document.querySelectorAll('#program li').length"), 3)
+        (self.folder / "s/part.ngc").write_text("G21 G91 F6000\nG1 X2\nM2\n")
+        self.armature("report", "x")
+        self.open("x/report.html")
+        self.assertIn("has changed since the run", self.page.run("document.querySelector('#program').textContent"))
+
     def test_labels_of_a_lane_end_before_the_next_item(self):
         self.show(SCENARIOS / "gcode_laser_cut", "--engine", "model")
         for window in ("report.timeline.begin, report.timeline.end", "0.7, 1.2"):
