@@ -115,6 +115,7 @@ COSIM = {
     "report": {"time", "text", "logic", "robot", "belt", "programs", "bus", "trace", "waves", "scenario", "golden"},
     "recording": {"text", "trace"},
     "plot": {"text", "recording"},
+    "exports": {"text", "trace", "recording"},
     "page": {"text", "trace", "recording", "report"},
     "kernel": {
         "time",
