@@ -11,6 +11,9 @@ struct IndexRow {
   bool passed = false;
   std::string reason;  // why it failed: the first line is shown
   std::string report;  // file beside the page; empty: none
+  std::string description{};
+  double simulated_s = 0, wall_s = 0;
+  std::string picture{};  // SVG of this program; empty: none
 };
 
 // Rows of failures come first; otherwise the order stays.

@@ -67,7 +67,9 @@ Json run_data(const RunRecord& run, const PageParts& parts) {
     data["programs"].push_back({{"name", one.name}, {"text", one.text}, {"problem", one.problem}});
   }
   data["other"] =
-      parts.other ? Json{{"name", parts.other->name}, {"trace", trace_json(parts.other->trace)}} : Json(nullptr);
+      parts.other
+          ? Json{{"name", parts.other->name}, {"shown", parts.other->shown}, {"trace", trace_json(parts.other->trace)}}
+          : Json(nullptr);
   return data;
 }
 

@@ -15,7 +15,8 @@ namespace armature::cosim {
 
 // A trace to compare the run with.
 struct OtherTrace {
-  std::string name;  // such as "golden"
+  std::string name;     // such as "golden"
+  std::string shown{};  // name of the run that is compared with it; empty: its scenario says enough
   TraceTable trace;
 };
 

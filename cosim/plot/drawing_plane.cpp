@@ -96,4 +96,9 @@ bool is_level_in(const RecordedFrame& frame, const SpacePoints& points) {
   return size.z() <= kMostDepth * std::max(size.x(), size.y());
 }
 
+DrawingPlane plane_of_run(const RunRecord& run, const SpacePoints& drawn) {
+  const auto frame = recorded_program_frame(run.summary);
+  return frame && is_level_in(*frame, drawn) ? plane_of_frame(*frame) : drawing_plane(drawn);
+}
+
 }  // namespace armature::cosim

@@ -7,6 +7,7 @@
 #include "cosim/plot/planned_path.hpp"
 #include "cosim/plot/svg.hpp"
 #include "cosim/recording/recorded_frame.hpp"
+#include "cosim/recording/run_record.hpp"
 
 namespace armature::cosim {
 
@@ -37,5 +38,8 @@ struct DrawingPlane {
 // Whether the points are about in one plane that is parallel to x and y of this frame, so that a view along its z shows
 // what is drawn.
 [[nodiscard]] bool is_level_in(const RecordedFrame& frame, const SpacePoints& points);
+
+// That of the frame of the program if the drawn points are level in it, or else the one through them.
+[[nodiscard]] DrawingPlane plane_of_run(const RunRecord& run, const SpacePoints& drawn);
 
 }  // namespace armature::cosim

@@ -3,22 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <string_view>
 #include <vector>
 
 #include "cosim/plot/caption.hpp"
+#include "cosim/plot/joint_colors.hpp"
 #include "cosim/plot/panel.hpp"
 #include "cosim/plot/svg.hpp"
 
 namespace armature::cosim {
 namespace {
-
-// Colours that people with any kind of colour vision can tell apart (Okabe and Ito's).
-constexpr std::array<std::string_view, 6> kJointColors{"#0072b2", "#d55e00", "#009e73",
-                                                       "#cc79a7", "#e69f00", "#56b4e9"};
 
 struct JointCurves {
   std::vector<PlotPoint> reference, encoder, speed;

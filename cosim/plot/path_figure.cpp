@@ -17,7 +17,6 @@
 #include "cosim/plot/path_rows.hpp"
 #include "cosim/plot/planned_path.hpp"
 #include "cosim/plot/svg.hpp"
-#include "cosim/recording/recorded_frame.hpp"
 #include "cosim/text/input_error.hpp"
 #include "cosim/text/json.hpp"
 #include "cosim/text/number_text.hpp"
@@ -81,13 +80,13 @@ DrawnPath drawn_path(const RunRecord& run) {
   return path;
 }
 
-// The plane of the program, or else the one in which the tool draws. The ways between cuts have no part in it.
+// The ways between cuts have no part in it.
 DrawingPlane plane_of(const RunRecord& run, const DrawnPath& path) {
   SpacePoints cuts;
-  for (const SpacePoints& piece : path.encoders) std::ranges::copy(piece, std::back_inserter(cuts));
-  if (cuts.empty()) cuts = path.all;
-  const auto frame = recorded_program_frame(run.summary);
-  return frame && is_level_in(*frame, cuts) ? plane_of_frame(*frame) : drawing_plane(cuts);
+  for (const auto* pieces : {&path.planned, &path.set_points, &path.encoders}) {
+    for (const SpacePoints& piece : *pieces) std::ranges::copy(piece, std::back_inserter(cuts));
+  }
+  return plane_of_run(run, cuts.empty() ? path.all : cuts);
 }
 
 std::string plane_text(const DrawingPlane& plane) {

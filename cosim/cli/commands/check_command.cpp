@@ -33,7 +33,10 @@
 #include "cosim/cli/waves/moment_wave.hpp"
 #include "cosim/cpu/make_processor.hpp"
 #include "cosim/page/index_page.hpp"
+#include "cosim/plot/thumbnail.hpp"
+#include "cosim/recording/run_record.hpp"
 #include "cosim/report/format/fact_lines.hpp"
+#include "cosim/report/format/json/summary_json.hpp"
 #include "cosim/report/format/junit.hpp"
 #include "cosim/report/format/moment_wave_text.hpp"
 #include "cosim/report/format/progress_bar.hpp"
@@ -99,12 +102,18 @@ std::string wave_of_failure(const Scenario& scenario, const RunSummary& summary,
   return fmt::format("{}: {}\n", wave.label, wave.text);
 }
 
+// For the index. `folder`: of the results.
+std::string picture_of(const std::filesystem::path& folder, const RunSummary& summary) {
+  return thumbnail(read_run_record(folder, kTraceFile, summary_json(summary), folder / kSummaryFile));
+}
+
 // Runs and judges one scenario. Returns nothing if the run was interrupted. `options`: what the user adds to repeat it.
 std::optional<JunitCase> run_and_judge(const Scenario& scenario, const FailureFiles& files,
                                        const std::vector<std::string>& options = {}) {
   const auto& [kept, report, wave] = files;
   JunitCase result;
   result.name = scenario.name;
+  result.description = scenario.description;
   try {
     remove_failure_waves(kept);  // of an earlier check, and its other results
     remove_results(kept);
@@ -118,6 +127,8 @@ std::optional<JunitCase> run_and_judge(const Scenario& scenario, const FailureFi
     RunSummary summary = run_scenario(scenario, run);
     if (summary.interrupted) return std::nullopt;
     result.wall_s = summary.host.wall_s;
+    result.simulated_s = summary.facts.simulated_s();
+    if (report && can_be_shown(summary)) result.picture = picture_of(folder.path(), summary);
     result.output = summary_text(summary);
     result.properties = fact_properties(summary);
     result.failure = failure_reasons(scenario, summary);
@@ -186,7 +197,11 @@ void write_index(const std::filesystem::path& folder, const std::vector<JunitCas
     rows.push_back({.scenario = one.name,
                     .passed = has_passed(one),
                     .reason = one.failure + one.error,
-                    .report = std::filesystem::path{one.report}.filename().string()});
+                    .report = std::filesystem::path{one.report}.filename().string(),
+                    .description = one.description,
+                    .simulated_s = one.simulated_s,
+                    .wall_s = one.wall_s,
+                    .picture = one.picture});
   }
   replace_text_file(folder / kIndexFile, index_page(std::move(rows)));
 }

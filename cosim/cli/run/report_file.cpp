@@ -30,8 +30,10 @@ std::optional<OtherTrace> golden_of(const RunRecord& run) {
 std::string write_report(const fs::path& folder, const fs::path& page, const ReportRequest& request) {
   const RunRecord run = request.so_far ? run_record_so_far(folder) : recorded_run(folder);
   const auto& other = request.other;
-  const auto compared =
-      other ? std::optional{OtherTrace{.name = other->string(), .trace = read_trace_table(*other)}} : golden_of(run);
+  const auto compared = other
+                            ? std::optional{OtherTrace{
+                                  .name = other->string(), .shown = run.trace.file, .trace = read_trace_table(*other)}}
+                            : golden_of(run);
   const fs::path load_file = folder / kLoadFile;
   const auto load = is_file(load_file) ? std::optional{read_trace_table(load_file)} : std::nullopt;
   const auto data = run_data(run, {.serial = read_serial_record(folder / kSerialFile),

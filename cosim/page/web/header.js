@@ -16,6 +16,7 @@ function showHeader(parent, run) {
   fact('robot', summary.robot);
   fact('outcome', result.outcome);
   fact('golden', result.golden_text || result.golden);
+  if (run.other && run.other.shown) fact('this run', run.other.shown);
   if (run.other) fact('compared with', run.other.name);
   fact('simulated', `${result.simulated_s.toFixed(6)} s, ${result.ticks} ticks`);
   fact('variant, engine', `${summary.variant}, ${summary.engine}`);

@@ -10,9 +10,10 @@ function showMarks(parent, run) {
     element(one, 'i', mark);
     element(one, 'span').textContent = text;
   };
-  entry('line', 'set-points');
-  entry('line dashed', 'encoders');
-  if (run.other) entry('line dotted', run.other.name);
+  const of = run.other && run.other.shown ? ` of ${run.other.shown}` : '';
+  entry('line', `set-points${of}`);
+  entry('line dashed', `encoders${of}`);
+  if (run.other) entry('line dotted', of ? `encoders of ${run.other.name}` : run.other.name);
   entry('line limit', 'limit of a joint');
   entry('pink', 'beyond the limits of the shown joints');
   element(box, 'span', 'hint').textContent = kHint;

@@ -146,6 +146,7 @@ const kCycleSeconds = 20e-9;
 class OtherRun {
   constructor(data, run) {
     this.name = data.name;
+    this.shown = data.shown;  // the name of the run that is compared with it; empty: none
     const columns = new Map(data.trace.columns.map((column) => [column.name, decodeColumn(column)]));
     const rowOfTick = new Map();
     columns.get('tick').forEach((tick, row) => rowOfTick.set(tick, row));

@@ -186,6 +186,10 @@ class Check(Program):
         self.assertNotIn("<b>", index)
         self.assertIn("expected 7, got 0", index)
         self.assertLess(index.index("bad #"), index.index(TINY.name))
+        self.assertEqual(index.count("<svg "), 2)
+        self.assertEqual(index.count(">0.120 s<"), 2)  # of simulated time
+        description = re.search('description = "(.+)"', (TINY / "scenario.toml").read_text()).group(1)
+        self.assertEqual(index.count(html.escape(description, quote=False)), 2)
         properties = xml.etree.ElementTree.parse(self.folder / "j.xml").getroot().iter("property")
         reports = [one.get("value") for one in properties if one.get("name") == "report"]
         self.assertEqual(reports, ["pages/bad # <b>.html"])

@@ -48,7 +48,7 @@ class Report(Program):
             self.armature("run", TINY, *BRIEF, "--out", name)
         self.armature("compare", "a/trace.csv", "b/trace.csv", "--report", "both.html")
         data = data_of(self.page("both.html"))
-        self.assertEqual(data["other"]["name"], "a/trace.csv")
+        self.assertEqual((data["other"]["name"], data["other"]["shown"]), ("a/trace.csv", "b/trace.csv"))
         self.assertEqual(data["other"]["trace"], data["trace"])
         done = self.armature("compare", "a/trace.csv", "b/trace.csv", "--report", "b/summary.json", code=2)
         self.assertIn("summary.json", done.stderr)
