@@ -10,6 +10,8 @@ OUTPUTS = (
     "cosim/fabric/register_names.hpp",
     "tools/arm_soc.gtkw",
     "tools/arm_soc_paper.gtkw",
+    "tools/arm_soc.sucl",
+    "tools/arm_soc_paper.sucl",
     "scenarios/WAVEFORMS.md",
 )
 INPUTS = (SOURCE, "rtl/soc/soc_map.toml", *(str(path.relative_to(ROOT)) for path in ROOT.glob("rtl/*/*_regs.toml")))
@@ -42,7 +44,7 @@ class Wavegen(TreeTest):
         self.assertEqual((result.returncode, result.stderr), (0, ""))
 
     def test_an_edited_output_is_stale_until_generated_again(self):
-        for name, word in zip(OUTPUTS, ("kTick", "axi_timer", "software.tick", "software.tick", "| `tick`")):
+        for name, word in zip(OUTPUTS, ("kTick", "axi_timer", *["software.tick"] * 4, "| `tick`")):
             with self.subTest(name):
                 self.edit(name, word, word + "s")
                 result = wavegen(self.root, "--check")
@@ -60,6 +62,18 @@ class Wavegen(TreeTest):
         self.assertEqual(result.stderr.count("stale: "), len(OUTPUTS) - 1)  # not the names of the registers
         self.assertEqual(wavegen(self.root).returncode, 0)
         self.assertIn("+{rate} top.software.rate\n", (self.root / "tools/arm_soc_paper.gtkw").read_text())
+        shown = "variable_add top.software.rate\nitem_focus c_\nitem_set_format Bit\n"
+        self.assertIn(shown, (self.root / "tools/arm_soc_paper.sucl").read_text())
+
+    def test_each_item_of_a_surfer_view_has_the_focus_when_the_next_one_is_added(self):
+        lines = (ROOT / "tools/arm_soc.sucl").read_text().splitlines()
+        added = [at for at, line in enumerate(lines) if line.startswith(("variable_add ", "divider_add "))]
+        self.assertGreater(len(added), 40)
+        for number, at in enumerate(added):
+            digits = "".join(
+                f"{ord(one) - ord('a'):x}" for one in lines[at + 1].removeprefix("item_focus ").rstrip("_")
+            )
+            self.assertEqual(int(digits, 16), number)
 
     def test_a_new_pin_or_register_makes_the_views_stale(self):
         for path, old, new, shown in (

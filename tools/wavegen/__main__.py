@@ -14,12 +14,14 @@ sys.path[1:1] = [str(ROOT / "tools"), str(ROOT / "tools/reggen")]
 import emit_cpp
 import emit_gtkw
 import emit_md
+import emit_surfer
 from generator import Outputs, generate
 from load import MapError, load_all
 from model import VARIANTS
 from signals import load
 
-VIEWS = dict(zip(VARIANTS, ("tools/arm_soc.gtkw", "tools/arm_soc_paper.gtkw")))
+# Without the ends of their names.
+VIEWS = dict(zip(VARIANTS, ("tools/arm_soc", "tools/arm_soc_paper")))
 
 
 def outputs(root: Path) -> Outputs:
@@ -30,7 +32,8 @@ def outputs(root: Path) -> Outputs:
         "cosim/fabric/register_names.hpp": emit_cpp.register_names(soc, blocks),
     }
     for variant, name in VIEWS.items():
-        files[name] = emit_gtkw.view(name, variant, groups, soc, blocks)
+        for kind, emit in ((".gtkw", emit_gtkw), (".sucl", emit_surfer)):
+            files[name + kind] = emit.view(name + kind, variant, groups, soc, blocks)
     return Outputs(files, {"scenarios/WAVEFORMS.md": {"signals of the software": emit_md.table(groups)}})
 
 

@@ -171,12 +171,18 @@ def _clock(soc: SocMap) -> list[str]:
     return _trace(BINARY, f"clock {soc.clk_freq_hz // 1_000_000} MHz", f"{TOP}.clk_i")
 
 
+def position_signals(view: View) -> list[str]:
+    """The positions that the decoders have now; those of the paper have one for all axes."""
+    count = view.soc.num_axes if view.variant == "counts" else 1
+    return [f"{view.scope('encoder')}.u_core.gen_axis[{axis}].position_now" for axis in range(count)]
+
+
 def _live_positions(view: View) -> list[list[str]]:
-    core = f"{view.scope('encoder')}.u_core"
-    names = [f"J{axis + 1}" for axis in range(view.soc.num_axes)] if view.variant == "counts" else ["selected axis"]
+    signals = position_signals(view)
+    names = [f"J{axis + 1}" for axis in range(len(signals))] if len(signals) > 1 else ["selected axis"]
     return [
-        _trace(SIGNED | ANALOG, f"{name} position", f"{core}.gen_axis[{axis}].position_now[31:0]", _axis_color(axis))
-        for axis, name in enumerate(names)
+        _trace(SIGNED | ANALOG, f"{name} position", f"{signal}[31:0]", _axis_color(axis))
+        for axis, (name, signal) in enumerate(zip(names, signals))
     ]
 
 

@@ -66,6 +66,7 @@ class Install(Program):
         client = ROOT / "cosim/serve/client"
         data |= {f"share/armature/cosim/serve/client/{path.name}" for path in client.iterdir() if path.is_file()}
         data |= {"bin/armature", "share/armature/cosim/serve/README.md", "share/armature/tools/arm_soc.gtkw"}
+        data |= {"share/armature/tools/arm_soc.sucl", "share/armature/tools/arm_soc_paper.sucl"}
         data |= {"share/armature/tools/arm_soc_paper.gtkw", "share/armature/tools/late_commit.gtkw"}
         data |= {"share/armature/controller/pendant/PROTOCOL.md", MAN, *COMPLETIONS}
         self.assertEqual(files, data)

@@ -17,12 +17,14 @@ class Waveforms(Program):
         self.assertLessEqual(times[-1], 12_100_000 + 20)
         self.assertGreater(len(times), 9_000)
 
-    def test_every_signal_of_the_gtkwave_views_exists(self):
-        for variant, name in (("counts", "tools/arm_soc.gtkw"), ("paper", "tools/arm_soc_paper.gtkw")):
+    def test_every_signal_of_the_views_exists(self):
+        for variant, name in (("counts", "tools/arm_soc"), ("paper", "tools/arm_soc_paper")):
             with self.subTest(variant):
-                self.check_view(variant, (ROOT / name).read_text())
+                signals = self.signals(variant)
+                self.check_view(signals, (ROOT / f"{name}.gtkw").read_text())
+                self.check_surfer_view(signals, (ROOT / f"{name}.sucl").read_text())
 
-    def check_view(self, variant, view):
+    def signals(self, variant):
         window = ("--from", "0.012", "--to", "0.012001")
         self.armature("run", TINY, *BRIEF, "--variant", variant, "--vcd", "w.vcd", *window)
         scope, signals = [], set()
@@ -34,6 +36,15 @@ class Waveforms(Program):
                 scope.pop()
             elif words[:1] == ["$var"]:
                 signals.add(".".join(scope + words[4:-1]).replace(".[", "["))
+        return signals
+
+    def check_surfer_view(self, signals, view):
+        names = {re.sub(r"(?<=\w)\[\d+:0\]$", "", name) for name in signals}
+        shown = re.findall(r"^variable_add (\S+)$", view, re.M)
+        self.assertGreater(len(shown), 30)
+        self.assertEqual([name for name in shown if name not in names], [])
+
+    def check_view(self, signals, view):
         shown = re.findall(r"^\+\{[^}]+\} (?:\(\d+\))?(\S+)$", view, re.M)
         self.assertGreater(len(shown), 120)
         for bits in re.findall(r"^#\{[^}]+\} (.+)$", view, re.M):
