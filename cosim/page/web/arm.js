@@ -26,6 +26,7 @@ class ArmView {
     this.showColors();
     this.addPaths();
     this.addArm();
+    addFrames(this.scene, this.run.summary.frames, this.reach);
     this.controls = new THREE.OrbitControls(this.camera, this.renderer.domElement);
     this.controls.addEventListener('change', () => this.render());
     this.addButtons();
@@ -88,7 +89,7 @@ class ArmView {
     this.scene.add(this.target);
   }
 
-  // A rounded bar between two points, a part of a link.
+  // A capsule between two points, a part of a link.
   bar(group, from, to, radius, color) {
     const along = new THREE.Vector3().subVectors(to, from);
     const size = along.length();
@@ -98,9 +99,19 @@ class ArmView {
     mesh.position.copy(from).addScaledVector(along, 0.5);
     mesh.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), along.normalize());
     group.add(mesh);
-    const end = new THREE.Mesh(new THREE.SphereBufferGeometry(radius, 24, 16), material);
-    end.position.copy(to);
-    group.add(end);
+    for (const at of [from, to]) {
+      const end = new THREE.Mesh(new THREE.SphereBufferGeometry(radius, 24, 16), material);
+      end.position.copy(at);
+      group.add(end);
+    }
+  }
+
+  // A flat cylinder about the axis of a joint.
+  joint(group, radius) {
+    const material = new THREE.MeshStandardMaterial({ color: 0x6e7781, roughness: 0.6, metalness: 0.1 });
+    const mesh = new THREE.Mesh(new THREE.CylinderBufferGeometry(radius * 1.3, radius * 1.3, radius * 2.8, 32), material);
+    mesh.rotation.x = Math.PI / 2;
+    group.add(mesh);
   }
 
   // A link turns about z of the frame before it: it goes along z, then along x. The tool is the last one.
@@ -110,7 +121,8 @@ class ArmView {
     const corner = new THREE.Vector3(0, 0, link.d_mm / kMmPerUnit);
     const end = new THREE.Vector3(link.a_mm / kMmPerUnit, 0, corner.z);
     const radius = this.thickness * (1.15 - 0.11 * i);
-    this.bar(group, new THREE.Vector3(0, 0, -radius), new THREE.Vector3(0, 0, radius), radius * 1.25, 0x57606a);
+    addJointAxis(group, radius * 4);
+    this.joint(group, radius);
     this.bar(group, new THREE.Vector3(), corner, radius, kJointColors[i]);
     this.bar(group, corner, end, radius * 0.8, kJointColors[i]);
     this.scene.add(group);

@@ -361,6 +361,29 @@ class Report(Panels):
             self.page.run("report.run.time.filter((_, row) => report.wayRows(report.run)(row)).length > 0"), True
         )
 
+    def test_frames_of_the_scenario_and_axes_of_the_joints_are_in_the_picture(self):
+        self.show(SCENARIOS / "gcode_laser_cut", "--engine", "model")
+        frames = self.page.run(
+            "report.arm.scene.children.filter(c => c.children.some(d => d.isSprite)).map(c => c.matrix.elements.slice(12, 15))"
+        )
+        self.assertEqual(len(frames), 1)
+        for shown, wanted in zip(frames[0], (0.38, 0, 0.25)):
+            self.assertAlmostEqual(shown, wanted)
+        # The axis of joint 2 lies level, across the arm, whatever joint 1 does about the vertical.
+        axis = "(m => [m[8], m[9], m[10]])(report.arm.links[1].matrix.elements)"
+        self.assertAlmostEqual(self.page.run(axis)[2], 0, places=6)
+        axes = "report.arm.links.map(link => link.children.filter(c => c.isLine && c.material.isLineDashedMaterial).length)"
+        self.assertEqual(self.page.run(axes), [1] * 6 + [0])
+
+    def test_a_narrow_window_needs_no_scrolling_to_the_side(self):
+        self.show(SCENARIOS / "gcode_laser_cut", "--engine", "model")
+        self.addCleanup(self.page.of_page, "Emulation.clearDeviceMetricsOverride")
+        for width in (390, 700, 1000):
+            size = {"width": width, "height": 800, "deviceScaleFactor": 1, "mobile": False}
+            self.page.of_page("Emulation.setDeviceMetricsOverride", **size)
+            self.page.run("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
+            self.assertLessEqual(self.page.run("document.documentElement.scrollWidth"), width)
+
     def test_a_program_that_has_changed_since_the_run_is_not_shown(self):
         (self.folder / "s").mkdir()
         (self.folder / "robots").symlink_to(SCENARIOS / "robots")
