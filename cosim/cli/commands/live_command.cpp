@@ -17,14 +17,17 @@
 #include "cosim/cli/options/value_kinds.hpp"
 #include "cosim/cli/run/folder_run.hpp"
 #include "cosim/cli/run/interrupt.hpp"
+#include "cosim/cli/texts/new_scenario.hpp"
 #include "cosim/net/web_admission.hpp"
 #include "cosim/run/log_listener.hpp"
 #include "cosim/run/run_folder.hpp"
 #include "cosim/run/serial_listener.hpp"
+#include "cosim/scenario/files/robot_loader.hpp"
 #include "cosim/scenario/files/scenario_loader.hpp"
 #include "cosim/text/number_text.hpp"
 #include "cosim/text/printable.hpp"
 #include "cosim/text/shell_text.hpp"
+#include "cosim/text/text_file.hpp"
 #include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
@@ -36,6 +39,7 @@ constexpr const char* kLiveDetails = R"(Examples:
   armature live pendant_jog --pace 2000 --for 1   # prints an address; without --for it ends with Ctrl-C
   armature live arm_5r_pick_place --out five_axes --for 1
   armature live job_pick_and_place --engine rtl --for 0.01
+  armature live --robot hu2012_5r --for 0.01
 
 Open the printed address in a browser. The page shows the arm as simulated time passes, and is a teach pendant: it
 switches the drives, jogs joints and the tool while a button is held down, moves to taught points, loads and runs
@@ -43,6 +47,7 @@ programs, and has an emergency stop. Its sliders move a shadow of the arm, by jo
 Everything that the page commands is a frame of the pendant's protocol on the simulated serial line.
 A scenario with [pendant] runs as it is; the page takes the place of the steps. Any other scenario gets the pendant
 with the profile 'extended' and loses its moves: the drives are off until the page switches them on.
+With --robot no scenario is needed. One in which this robot only waits is written to the folder of --out.
 The simulation keeps the pace of real time if the machine is fast enough; the page shows the factor. The engine is the
 model, whatever the scenario says; --engine chooses another one.
 When the page is closed or frozen, the arm stops. Only this machine can connect; the address has a random token, without
@@ -53,6 +58,7 @@ Exit code: 0 the time of --for is over, 1 the run failed, 2 bad input, 3 interna
 
 struct LiveOptions {
   std::string scenario;
+  std::string robot;  // instead of a scenario
   std::optional<fs::path> out;
   std::uint16_t port = 0;
   double pace = 1;
@@ -65,6 +71,18 @@ struct LiveScenario {
   Scenario scenario;
   std::vector<std::string> overrides;  // --set of a run that repeats the session, without the duration
 };
+
+// Writes the scenario of --robot, and has the session use it.
+void make_scenario(LiveOptions& given, const SearchPath& path) {
+  static_cast<void>(find_robot(given.robot, path));
+  const std::string name = fs::path{given.robot}.stem().string();
+  if (!given.out) given.out = fs::path{"out"} / (name + "_live");
+  const fs::path folder = *given.out / name;
+  create_folder(folder);
+  const fs::path file = folder / kScenarioFile;
+  replace_text_file(file, bare_scenario(robot_key(given.robot, folder)));
+  given.scenario = file.string();
+}
 
 LiveScenario load(const LiveOptions& given, const SearchPath& path) {
   LogicChoice logic = given.logic;
@@ -94,7 +112,9 @@ std::string replay_command(const LiveOptions& given, const LiveScenario& live, c
                      shell_word((out / kSerialFile).string()), shell_word((out / "replay").string()));
 }
 
-int live(const LiveOptions& given, const SearchPath& path) {
+int live(LiveOptions given, const SearchPath& path) {
+  if (!given.robot.empty()) make_scenario(given, path);
+  if (given.scenario.empty()) throw InputError{"live", "expected a scenario, or --robot and a robot"};
   LiveScenario live = load(given, path);
   Scenario& scenario = live.scenario;
   if (!scenario.serial) scenario.serial.emplace();
@@ -128,11 +148,15 @@ int live(const LiveOptions& given, const SearchPath& path) {
 
 CommandAction declare_live(CLI::App& app) {
   const auto options = std::make_shared<LiveOptions>();
-  app.add_option("scenario", options->scenario, "Scenario folder, scenario.toml, or a name from 'armature list'")
-      ->required()
-      ->type_name(kScenarioValue);
+  CLI::Option* const scenario =
+      app.add_option("scenario", options->scenario, "Scenario folder, scenario.toml, or a name from 'armature list'")
+          ->type_name(kScenarioValue);
+  app.add_option("--robot", options->robot,
+                 "Instead of a scenario: a robot alone. Name from 'armature list', or a path ending in .toml")
+      ->type_name(kRobotValue)
+      ->excludes(scenario);
   app.add_option("--port", options->port, "Port on 127.0.0.1 (default 0: any free one, printed)");
-  app.add_option("--out", options->out, "Folder for serial.csv and log.txt (default out/<scenario>_live)")
+  app.add_option("--out", options->out, "Folder for serial.csv and log.txt (default out/<scenario>_live or out/<robot>_live)")
       ->type_name(kFolderValue);
   app.add_option("--pace", options->pace, "Largest simulated time per real time (default 1)")
       ->check(CLI::Range(1e-4, 1e4));

@@ -76,12 +76,7 @@ int create(const NewOptions& given, const SearchPath& path) {
                                      ", which the new scenario would hide; expected "
                                      "another name"};
   }
-  const bool is_path = given.robot.ends_with(".toml");
-  const std::string key =
-      is_path ? fs::proximate(fs::absolute(given.robot), fs::absolute(folder)).string() : given.robot;
-  if (key.find_first_of("\"\\") != std::string::npos || printable(key, kShowAll) != key) {
-    throw InputError{given.robot, "has characters that a scenario cannot have in the key 'robot'; rename the file"};
-  }
+  const std::string key = robot_key(given.robot, folder);
   const fs::path file = folder / kScenarioFile;
   replace_text_file(file, new_scenario(given.name, key, robot, "../" + std::string{kScenarioFiles.schema}));
   const fs::path schema = folder.parent_path() / kScenarioFiles.schema;

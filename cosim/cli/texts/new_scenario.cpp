@@ -9,7 +9,9 @@
 #include <string_view>
 #include <vector>
 
+#include "cosim/text/input_error.hpp"
 #include "cosim/text/number_text.hpp"
+#include "cosim/text/printable.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -110,6 +112,28 @@ std::string new_scenario(const std::string& name, const std::string& robot_key, 
 )",
                       name);
   return text;
+}
+
+std::string bare_scenario(const std::string& robot_key) {
+  return fmt::format(R"(# Written by 'armature live --robot'.
+description = "The robot alone"
+robot = "{}"
+duration_s = 1
+
+[pendant]
+profile = "extended"
+)",
+                     robot_key);
+}
+
+std::string robot_key(const std::string& robot, const std::filesystem::path& folder) {
+  namespace fs = std::filesystem;
+  const bool is_path = robot.ends_with(".toml");
+  std::string key = is_path ? fs::proximate(fs::absolute(robot), fs::absolute(folder)).string() : robot;
+  if (key.find_first_of("\"\\") != std::string::npos || printable(key, kShowAll) != key) {
+    throw InputError{robot, "has characters that a scenario cannot have in the key 'robot'; rename the file"};
+  }
+  return key;
 }
 
 }  // namespace armature::cosim

@@ -5,14 +5,15 @@ import signal
 import socket
 import subprocess
 
-from cli_program import TINY, Program, main
+from cli_program import SCENARIOS, TINY, Program, main
 
 ADDRESS = re.compile(r"http://127\.0\.0\.1:\d+/[0-9a-f]{32}/\n")
 
 
 class Live(Program):
-    def test_a_session_ends_in_time_and_the_printed_run_repeats_it(self):
-        shown = self.armature("live", TINY, "--pace", "10000", "--for", "0.05", "--out", "x").stdout
+    def expect_repeated(self, *session):
+        """The run that a session prints has the same bytes."""
+        shown = self.armature("live", *session, "--pace", "10000", "--for", "0.05", "--out", "x").stdout
         self.assertRegex(shown, ADDRESS)
         command = re.search(r"^to repeat it +armature (.*)$", shown, re.M).group(1)
         digest = re.search(r"^sha256 +(\w+)$", shown, re.M).group(1)
@@ -22,6 +23,19 @@ class Live(Program):
         logs = [self.folder / "x" / name for name in ("serial.csv", "replay/serial.csv")]
         self.assertGreater(logs[0].stat().st_size, 1000)
         self.assertEqual(logs[0].read_bytes(), logs[1].read_bytes())
+
+    def test_a_session_ends_in_time_and_the_printed_run_repeats_it(self):
+        self.expect_repeated(TINY)
+
+    def test_a_robot_needs_no_scenario(self):
+        self.expect_repeated("--robot", "hu2012_5r")
+        self.assertIn('robot = "hu2012_5r"', (self.folder / "x/hu2012_5r/scenario.toml").read_text())
+        robot = self.folder / "mine" / "kuka_kr6_r900.toml"
+        robot.parent.mkdir()
+        robot.write_bytes((SCENARIOS / "robots" / robot.name).read_bytes())
+        self.expect_repeated("--robot", "mine/kuka_kr6_r900.toml")
+        for arguments, expected in [((), "expected a scenario"), (("--robot", "r2d2"), "r2d2"), ((TINY, "--robot", "hu2012_5r"), "excludes")]:
+            self.assertIn(expected, self.armature("live", *arguments, code=2).stderr)
 
     def test_ctrl_c_ends_it_and_leaves_whole_files(self):
         run = self.beside("live", TINY, "--out", "x", stdout=subprocess.PIPE, stderr=subprocess.PIPE)
