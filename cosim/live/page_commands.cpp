@@ -105,9 +105,13 @@ void PageCommands::move(const PageMessage& message) {
   PendantStepSpec step;
   step.act = PendantAct::kMove;
   step.path = message.text("path", kMaxName);
-  if (step.path != "joints" && step.path != "line") throw MessageError{"move: \"path\" is joints or line"};
+  if (std::ranges::find(kPendantPathNames, step.path) == kPendantPathNames.end()) {
+    throw MessageError{"move: \"path\" is joints, line or arc"};
+  }
   pendant::System system = pendant::System::kJoints;
-  if (message.has("joints_deg")) {
+  const bool arc = step.path == "arc";
+  if (arc) std::ranges::copy(message.numbers("via_mm", 3, kLargest_mm), step.via_mm.emplace().begin());
+  if (!arc && message.has("joints_deg")) {
     const std::vector<double> deg = message.numbers("joints_deg", scenario_.robot.axis_count, kLargestDeg);
     std::ranges::copy(deg, step.joints_deg.emplace().begin());
   } else {

@@ -43,6 +43,7 @@ class Drive {
     this.listPoints();
   }
 
+  // MOVC goes through the point that was chosen as via.
   listPoints() {
     this.list.replaceChildren();
     for (const point of this.points) {
@@ -53,11 +54,26 @@ class Drive {
       button(keys, 'MOVJ', `all joints together to ${point.name}`, () => this.moveJoints(point.joints));
       const straight = button(keys, 'MOVL', `the tool straight to ${point.name}`, () => this.moveLine(point.tool));
       straight.disabled = !point.tool;
+      const arc = button(keys, 'MOVC', `the tool on an arc through the via point to ${point.name}`, () => this.moveArc(point.tool));
+      arc.disabled = !point.tool || !this.via || this.via === point;
+      const via = button(keys, 'via', `MOVC of the other points goes through ${point.name}`, () => this.chooseVia(point));
+      via.classList.toggle('chosen', this.via === point);
+      via.disabled = !point.tool;
     }
   }
 
   moveJoints(joints) {
     this.connection.send({ do: 'move', path: 'joints', joints_deg: joints, speed_percent: Number(this.speed.value) });
+  }
+
+  chooseVia(point) {
+    this.via = this.via === point ? null : point;
+    this.listPoints();
+  }
+
+  moveArc(tool) {
+    const speed = Number(this.speed.value);
+    this.connection.send({ do: 'move', path: 'arc', via_mm: this.via.tool.xyz_mm, ...tool, speed_percent: speed });
   }
 
   moveLine(tool) {

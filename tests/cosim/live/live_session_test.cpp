@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -121,6 +122,36 @@ TEST(LiveSession, MovesToTheAnglesThatItWasGiven) {
   page.ask(up.dump());
   page.pass(3'000);
   EXPECT_NEAR(page.state()["tool"]["xyz_mm"][2].get<double>(), up["xyz_mm"][2].get<double>(), 0.02);
+}
+
+TEST(LiveSession, MovesOnAnArcThroughItsViaPoint) {
+  LivePage page{live_scenario_of("pendant_jog", "strict")};
+  page.switch_on();
+  page.ask(R"({"do":"move","path":"joints","joints_deg":[10,-5,15,20,30,-40],"speed_percent":100})");
+  page.pass(1'500);
+  const json start = page.state()["tool"];
+  const auto beside = [&start](double y, double z) {
+    json point = start["xyz_mm"];
+    point[1] = point[1].get<double>() + y;
+    point[2] = point[2].get<double>() + z;
+    return point;
+  };
+  const json via = beside(15, 15), end = beside(30, 0);
+  const json arc = {{"do", "move"}, {"path", "arc"}, {"via_mm", via}, {"xyz_mm", end}, {"rpy_deg", start["rpy_deg"]}, {"speed_percent", 20}};
+  EXPECT_EQ(page.ask(arc.dump()), json{});
+  const auto distance = [&page](const json& point) {
+    double sum = 0;
+    const json tool = page.state()["tool"]["xyz_mm"];
+    for (std::size_t i = 0; i < 3; ++i) sum += std::pow(tool[i].get<double>() - point[i].get<double>(), 2);
+    return std::sqrt(sum);
+  };
+  double nearest_mm = distance(via);
+  for (int i = 0; i < 300; ++i) {
+    page.pass(6);
+    nearest_mm = std::min(nearest_mm, distance(via));
+  }
+  EXPECT_LT(nearest_mm, 1);
+  EXPECT_LT(distance(end), 0.02);
 }
 
 TEST(LiveSession, TheEmergencyStopIsLatchedUntilItIsReset) {

@@ -55,6 +55,15 @@ class Live(LivePage):
         self.until(f"live.state.state === 'ready' && live.state.tool.xyz_mm[2] > {z + 29}")
         self.page.run("document.querySelectorAll('.points button')[1].click()")  # MOVL
         self.until(f"live.state.state === 'ready' && Math.abs(live.state.tool.xyz_mm[2] - {z}) < 0.05")
+        self.page.run("live.drive.points[0].tool.xyz_mm[1] += 20")  # a via point beside the line
+        self.page.run("document.querySelectorAll('.points button')[3].click()")
+        self.slide("z", z + 30)
+        self.until("!live.hand.asked")
+        self.click("teach")
+        self.page.run("live.drive.points[1].tool.xyz_mm[2] += 30")
+        self.page.run("document.querySelectorAll('.points button')[6].click()")  # MOVC
+        self.until("live.state.command.startsWith('arc')")
+        self.until(f"live.state.state === 'ready' && Math.abs(live.state.tool.xyz_mm[2] - {z + 30}) < 0.05")
         self.assertEqual(self.page.problems(), [])
 
     def test_the_emergency_stop_and_the_way_out_of_it(self):
