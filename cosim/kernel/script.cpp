@@ -1,19 +1,35 @@
 #include "cosim/kernel/script.hpp"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "controller/base/timebase.hpp"
 #include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
+namespace {
+
+// The order at equal times, by ScriptAction::index().
+constexpr std::array kRanks{2, 0, 0, 1, 3, 4};
+static_assert(kRanks.size() == std::variant_size_v<ScriptAction>);
+
+int rank_of(const ScriptAction& action) {
+  return kRanks.at(action.index());
+}
+
+// Rounding must not take a fault of one cycle away.
+Cycles end_of(const FaultSpec& fault, double duration_s) {
+  return std::max(to_cycles(fault.at_s) + Cycles{1}, to_cycles(fault.at_s + duration_s));
+}
+
+}  // namespace
 
 Script::Script(const Scenario& scenario) {
   for (const FaultSpec& fault : scenario.faults) {
-    const Cycles begin = to_cycles(fault.at_s);
-    entries_.push_back({begin, fault});
+    entries_.push_back({to_cycles(fault.at_s), fault});
     if (const auto duration_s = fault_duration_s(fault.kind)) {
-      // Rounding must not take a fault of one cycle away.
-      entries_.push_back({std::max(begin + Cycles{1}, to_cycles(fault.at_s + *duration_s)), FaultEnd{fault}});
+      entries_.push_back({end_of(fault, *duration_s), FaultEnd{fault}});
     }
   }
   for (const InputSpec& input : scenario.inputs) entries_.push_back({to_cycles(input.at_s), input});
@@ -39,6 +55,36 @@ std::optional<Cycles> Script::next_event() const {
 std::optional<ScriptAction> Script::pop_due(Cycles now) {
   if (next_ == entries_.size() || entries_[next_].at > now) return std::nullopt;
   return entries_[next_++].action;
+}
+
+void Script::add(const FaultSpec& fault) {
+  insert({to_cycles(fault.at_s), fault});
+  if (const auto duration_s = fault_duration_s(fault.kind)) insert({end_of(fault, *duration_s), FaultEnd{fault}});
+}
+
+void Script::add(const InputSpec& input) {
+  insert({to_cycles(input.at_s), input});
+}
+
+void Script::end(const FaultSpec& fault, Cycles now) {
+  const auto is_its_end = [&fault](const Entry& entry) {
+    const auto* end = std::get_if<FaultEnd>(&entry.action);
+    return end != nullptr && end->fault == fault;
+  };
+  const auto found = std::find_if(entries_.begin() + static_cast<std::ptrdiff_t>(next_), entries_.end(), is_its_end);
+  if (found == entries_.end()) return;
+  Entry entry = std::move(*found);
+  entries_.erase(found);
+  entry.at = std::max(now, to_cycles(fault.at_s) + Cycles{1});
+  insert(std::move(entry));
+}
+
+void Script::insert(Entry entry) {
+  const auto is_before = [](const Entry& a, const Entry& b) {
+    return a.at != b.at ? a.at < b.at : rank_of(a.action) < rank_of(b.action);
+  };
+  entries_.insert(
+      std::upper_bound(entries_.begin() + static_cast<std::ptrdiff_t>(next_), entries_.end(), entry, is_before), entry);
 }
 
 }  // namespace armature::cosim

@@ -40,11 +40,20 @@ class Script {
   // before moves, moves before set-points of streams, and those before parts.
   std::optional<ScriptAction> pop_due(Cycles now);
 
+  // Adds an action, as if the scenario had it, while the run goes on. Its time is not before the last call of
+  // pop_due(). At an equal time it comes after those of the same sort.
+  void add(const FaultSpec& fault);
+  void add(const InputSpec& input);
+  // Ends a fault that has begun at `now`, or a cycle after its begin if that is later.
+  void end(const FaultSpec& fault, Cycles now);
+
  private:
   struct Entry {
     Cycles at;
     ScriptAction action;
   };
+  void insert(Entry entry);
+
   std::vector<Entry> entries_;
   std::size_t next_ = 0;
 };

@@ -84,6 +84,14 @@ class Simulation final : private RunAhead {
   // What a core would read of this register of the logic if it began the access now. Time passes and the logic changes:
   // only a copy of this process (cosim/snapshot) may call it, which does not advance the simulation any more.
   [[nodiscard]] BusResponse read_and_spoil(std::uint32_t address);
+  // What somebody does to the cell between two calls of advance(), as if the scenario had it. `at_s` is the time of
+  // now(), in which it happens at the next advance().
+  template <class Action>
+  void add(const Action& action) {
+    script_.add(action);
+  }
+  // Ends such a fault, or one of the scenario, before its time.
+  void end_fault(const FaultSpec& fault) { script_.end(fault, now()); }
   // Ends a run that is not over.
   void interrupt();
   [[nodiscard]] Cycles now() const { return soc_->now(); }

@@ -19,9 +19,12 @@ LiveSession::LiveSession(const Scenario& scenario, std::function<Clock::time_poi
       clock_{std::move(clock)},
       watch_{scenario},
       kinematics_{scenario},
-      commands_{scenario, pendant_, kinematics_},
-      run_{scenario, {.serial_peer = &pendant_, .sent_bytes = SentBytes::kForgotten}} {
+      run_{scenario, {.serial_peer = &pendant_, .sent_bytes = SentBytes::kForgotten}},
+      cell_{run_},
+      commands_{
+          {.scenario = scenario, .pendant = pendant_, .kinematics = kinematics_, .run = run_, .cell = cell_}} {
   run_.add(watch_);
+  run_.add(cell_);
 }
 
 bool LiveSession::advance(Cycles until) {
@@ -34,6 +37,7 @@ std::string LiveSession::state(double factor) {
                                   .pendant = pendant_,
                                   .watch = watch_,
                                   .kinematics = kinematics_,
+                                  .cell = cell_,
                                   .program = commands_.program_name(),
                                   .state = run_.look(),
                                   .factor = factor}));

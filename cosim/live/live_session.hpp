@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "cosim/live/live_cell.hpp"
 #include "cosim/live/live_kinematics.hpp"
 #include "cosim/live/live_pendant.hpp"
 #include "cosim/live/live_watch.hpp"
@@ -34,6 +35,7 @@ class LiveSession final : public WebApplication {
   [[nodiscard]] Run& run() { return run_; }
   [[nodiscard]] const LivePendant& pendant() const { return pendant_; }
   [[nodiscard]] const LiveWatch& watch() const { return watch_; }
+  [[nodiscard]] const LiveCell& cell() const { return cell_; }
 
   // Continues up to this cycle. False when the run is over.
   bool advance(Cycles until);
@@ -52,8 +54,9 @@ class LiveSession final : public WebApplication {
   LiveWatch watch_;
   LivePendant pendant_;
   LiveKinematics kinematics_;
-  PageCommands commands_;
   Run run_;
+  LiveCell cell_;
+  PageCommands commands_;
   Clock::time_point last_message_{};
 };
 

@@ -12,6 +12,7 @@
 
 #include "controller/base/angle_units.hpp"
 #include "controller/message/fault.hpp"
+#include "cosim/live/live_faults.hpp"
 #include "cosim/report/format/json/arm_json.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/time/clock.hpp"
@@ -118,7 +119,8 @@ Json live_scenario(const Scenario& scenario) {
           {"robot", scenario.robot_name},
           {"family", scenario.robot.kinematics ? Json(scenario.robot.kinematics->family) : Json(nullptr)},
           {"arm", arm_json(scenario.robot, scenario.tool)},
-          {"programs", std::move(programs)}};
+          {"programs", std::move(programs)},
+          {"faults", fault_kinds_json(scenario.robot)}};
 }
 
 Json live_state(const LiveView& view) {
@@ -141,6 +143,7 @@ Json live_state(const LiveView& view) {
           {"estop_pressed", link.estop_pressed()},
           {"system", link.coordinates()},
           {"lamps", lamps_json(view.state)},
+          {"held", view.cell.held()},
           {"program", program_json(view)},
           {"command", view.watch.command()},
           {"messages", messages_json(link)},

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cosim/kernel/simulation_state.hpp"
+#include "cosim/live/live_cell.hpp"
 #include "cosim/live/live_kinematics.hpp"
 #include "cosim/live/live_pendant.hpp"
 #include "cosim/live/live_watch.hpp"
@@ -13,7 +14,7 @@
 namespace armature::cosim {
 
 // The scenario, the arm with its limits and links, and the programs that the page can load at once:
-// {"scenario", "description", "robot", "arm", "programs": [{"name", "text"}]}
+// {"scenario", "description", "robot", "family", "arm", "programs": [{"name", "text"}], "faults"}
 [[nodiscard]] Json live_scenario(const Scenario& scenario);
 
 struct LiveView {
@@ -21,6 +22,7 @@ struct LiveView {
   const LivePendant& pendant;
   const LiveWatch& watch;
   const LiveKinematics& kinematics;
+  const LiveCell& cell;
   const std::string& program;  // that was sent last; empty: none
   SimulationState state;
   double factor = 0;  // simulated time per real time, lately

@@ -1,5 +1,5 @@
 // What a live page shows of a run besides its pins: the telemetry of the last tick, the command under way, the last
-// events as in log.txt.
+// events as in log.txt, with their ticks, and what happened in the cell.
 #pragma once
 
 #include <cstddef>
@@ -25,11 +25,12 @@ class LiveWatch final : public RunListener {
 
   void on_row(const TraceRow& row, const IntegerDigest& digest) override;
   void on_event(const Event& event, const RunPlace& place) override;
+  void on_action(const ScriptAction& action, const RunPlace& place) override;
 
   [[nodiscard]] const Telemetry& telemetry() const { return telemetry_; }
   // `joint move of 0.42 s`, `jog`, `homing of axis 3`; empty: none.
   [[nodiscard]] const std::string& command() const { return command_; }
-  // The newest last.
+  // `tick 5999, info: [0.300000 s] ...`, the newest last.
   [[nodiscard]] const std::deque<std::string>& events() const { return events_; }
 
  private:

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "controller/base/angle_units.hpp"
+#include "cosim/live/live_faults.hpp"
 #include "cosim/pendant/step_frames.hpp"
 #include "cosim/programs/program_name.hpp"
 
@@ -56,7 +57,10 @@ Json PageCommands::execute(const PageMessage& message) {
                                     std::pair<std::string_view, Act>{"move", &PageCommands::move},
                                     std::pair<std::string_view, Act>{"load", &PageCommands::load},
                                     std::pair<std::string_view, Act>{"run", &PageCommands::run},
-                                    std::pair<std::string_view, Act>{"breakpoint", &PageCommands::breakpoint}};
+                                    std::pair<std::string_view, Act>{"breakpoint", &PageCommands::breakpoint},
+                                    std::pair<std::string_view, Act>{"fault", &PageCommands::fault},
+                                    std::pair<std::string_view, Act>{"input", &PageCommands::input},
+                                    std::pair<std::string_view, Act>{"hold", &PageCommands::hold}};
   static constexpr std::array kQuestions{std::pair<std::string_view, Question>{"forward", &PageCommands::forward},
                                          std::pair<std::string_view, Question>{"inverse", &PageCommands::inverse}};
   const std::string& what = message.what();
@@ -69,8 +73,10 @@ Json PageCommands::execute(const PageMessage& message) {
   for (const auto& [name, question] : kQuestions) {
     if (what == name) return (this->*question)(message);
   }
-  throw MessageError{fmt::format(
-      "\"do\" is beat, release, estop, jog, send, move, load, run, breakpoint, forward or inverse, not \"{}\"", what)};
+  throw MessageError{
+      fmt::format("\"do\" is beat, release, estop, jog, send, move, load, run, breakpoint, fault, input, hold, forward or "
+                  "inverse, not \"{}\"",
+                  what)};
 }
 
 void PageCommands::press(const Frame& frame) {
@@ -171,6 +177,23 @@ void PageCommands::breakpoint(const PageMessage& message) {
   const std::int32_t place = gcode_ ? line : pendant::kLineJob.with(job) | line;
   const auto action = pendant_.link().has_breakpoint(place) ? BreakpointAction::kRemove : BreakpointAction::kSet;
   press({.opcode = Opcode::kSetBreakpoint, .parameter = static_cast<std::uint8_t>(action), .payload = place});
+}
+
+void PageCommands::fault(const PageMessage& message) {
+  cell_.cause(read_fault(message.table("fault"), scenario_, run_.now()));
+}
+
+void PageCommands::input(const PageMessage& message) {
+  cell_.click_input(message.integer("pin", 1, kToolPins));
+}
+
+void PageCommands::hold(const PageMessage& message) {
+  const std::string which = message.text("which", kMaxName);
+  if (which == "estop") return cell_.click_estop();
+  const std::optional<AxisSwitch> found = enumerator_of<AxisSwitch>(which);
+  if (!found) throw MessageError{"hold: \"which\" is home, limit_pos, limit_neg or estop"};
+  const auto axis = message.integer("axis", 1, static_cast<std::int64_t>(scenario_.robot.axis_count));
+  cell_.click_switch(static_cast<int>(axis), *found);
 }
 
 JointAngles PageCommands::joints(const PageMessage& message, const char* key) const {

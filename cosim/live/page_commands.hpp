@@ -1,4 +1,5 @@
-// What each message of the page does: it becomes commands of the pendant, or a question to the kinematics.
+// What each message of the page does: it becomes commands of the pendant, something that happens in the cell, or a
+// question to the kinematics.
 #pragma once
 
 #include <functional>
@@ -6,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cosim/live/live_cell.hpp"
 #include "cosim/live/live_kinematics.hpp"
 #include "cosim/live/live_pendant.hpp"
 #include "cosim/live/page_message.hpp"
@@ -15,9 +17,20 @@ namespace armature::cosim {
 
 class PageCommands {
  public:
-  // The references must outlive this.
-  PageCommands(const Scenario& scenario, LivePendant& pendant, const LiveKinematics& kinematics)
-      : scenario_{scenario}, pendant_{pendant}, kinematics_{kinematics} {}
+  struct Parts {
+    const Scenario& scenario;
+    LivePendant& pendant;
+    const LiveKinematics& kinematics;
+    Run& run;
+    LiveCell& cell;
+  };
+  // What `parts` refers to must outlive this.
+  explicit PageCommands(const Parts& parts)
+      : scenario_{parts.scenario},
+        pendant_{parts.pendant},
+        kinematics_{parts.kinematics},
+        run_{parts.run},
+        cell_{parts.cell} {}
 
   // Returns the answer as JSON; empty: none. A message that is wrong has no effect and gets {"error": "..."}.
   [[nodiscard]] std::string answer(std::string_view text);
@@ -33,6 +46,9 @@ class PageCommands {
   void load(const PageMessage& message);
   void run(const PageMessage& message);
   void breakpoint(const PageMessage& message);
+  void fault(const PageMessage& message);
+  void input(const PageMessage& message);
+  void hold(const PageMessage& message);
   [[nodiscard]] Json forward(const PageMessage& message) const;
   [[nodiscard]] Json inverse(const PageMessage& message) const;
   void press(const pendant::Frame& frame);
@@ -42,6 +58,8 @@ class PageCommands {
   const Scenario& scenario_;
   LivePendant& pendant_;
   const LiveKinematics& kinematics_;
+  Run& run_;
+  LiveCell& cell_;
   std::string program_;
   bool gcode_ = false;  // it is one
 };

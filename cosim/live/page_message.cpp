@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace armature::cosim {
 namespace {
@@ -60,6 +61,31 @@ std::string PageMessage::text(const char* key, std::size_t longest) const {
     throw MessageError{fmt::format("{}: \"{}\" must be a text of at most {} characters", what_, key, longest)};
   }
   return value.get<std::string>();
+}
+
+ConfigValue PageMessage::table(const char* key) const {
+  constexpr std::size_t kMost = 32, kLongest = 64;
+  const nlohmann::json& fields = field(key);
+  if (!fields.is_object() || fields.size() > kMost) {
+    throw MessageError{fmt::format("{}: \"{}\" must be an object of at most {} values", what_, key, kMost)};
+  }
+  ConfigValue::Table table;
+  for (const auto& [name, value] : fields.items()) {
+    ConfigValue::Data data;
+    if (value.is_boolean()) {
+      data = value.get<bool>();
+    } else if (value.is_number_integer()) {
+      data = value.get<std::int64_t>();
+    } else if (value.is_number()) {
+      data = value.get<double>();
+    } else if (value.is_string() && value.get_ref<const std::string&>().size() <= kLongest) {
+      data = value.get<std::string>();
+    } else {
+      throw MessageError{fmt::format("{}: \"{}\" must be a number, a flag or a short text", what_, name)};
+    }
+    table.push_back({.key = name, .origin = {}, .value = {std::move(data), {}}});
+  }
+  return {std::move(table), {}};
 }
 
 std::vector<double> PageMessage::numbers(const char* key, std::size_t count, double largest) const {

@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "cosim/scenario/toml/config_value.hpp"
+
 namespace armature::cosim {
 
 // What is wrong with a message, for the page.
@@ -33,6 +35,8 @@ class PageMessage {
   [[nodiscard]] double number(const char* key, double min, double max) const;
   [[nodiscard]] bool flag(const char* key) const;
   [[nodiscard]] std::string text(const char* key, std::size_t longest) const;
+  // An object of numbers, flags and short texts, as a table of a scenario.
+  [[nodiscard]] ConfigValue table(const char* key) const;
   // Exactly so many numbers from -largest to largest.
   [[nodiscard]] std::vector<double> numbers(const char* key, std::size_t count, double largest) const;
 

@@ -56,6 +56,9 @@ class Run final : private SimulationListener {
   [[nodiscard]] SimulationState look() { return simulation_.look(); }
   // As of Simulation.
   [[nodiscard]] BusResponse read_and_spoil(std::uint32_t address) { return simulation_.read_and_spoil(address); }
+  void add_action(const FaultSpec& fault) { simulation_.add(fault); }
+  void add_action(const InputSpec& input) { simulation_.add(input); }
+  void end_fault(const FaultSpec& fault) { simulation_.end_fault(fault); }
   void write_wave(WaveRequest wave) { simulation_.write_wave(std::move(wave)); }
   void close_wave() { simulation_.close_wave(); }
 

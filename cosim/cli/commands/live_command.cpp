@@ -43,7 +43,8 @@ constexpr const char* kLiveDetails = R"(Examples:
 
 Open the printed address in a browser. The page shows the arm as simulated time passes, and is a teach pendant: it
 switches the drives, jogs joints and the tool while a button is held down, moves to taught points, loads and runs
-programs, and has an emergency stop. Its sliders move a shadow of the arm, by joint angles or by the place of the hand.
+programs, and has an emergency stop. A click changes an input of the tool, holds a switch or the line of the emergency
+stop, or causes a fault of any kind that a scenario can have. Its sliders move a shadow of the arm, by joint angles or by the place of the hand.
 Everything that the page commands is a frame of the pendant's protocol on the simulated serial line.
 A scenario with [pendant] runs as it is; the page takes the place of the steps. Any other scenario gets the pendant
 with the profile 'extended' and loses its moves: the drives are off until the page switches them on.
@@ -104,9 +105,13 @@ LiveScenario load(const LiveOptions& given, const SearchPath& path) {
   return live;
 }
 
-std::string replay_command(const LiveOptions& given, const LiveScenario& live, const fs::path& out, Cycles end) {
+// `happened`: overrides for what happened in the cell.
+std::string replay_command(const LiveOptions& given, const LiveScenario& live, const std::vector<std::string>& happened,
+                           const fs::path& out, Cycles end) {
   std::string words;
-  for (const std::string& change : live.overrides) words += " --set " + shell_word(change);
+  std::vector<std::string> changes = live.overrides;
+  changes.insert(changes.end(), happened.begin(), happened.end());
+  for (const std::string& change : changes) words += " --set " + shell_word(change);
   return fmt::format("armature run {}{} --set duration_s={} --engine {} --serial replay:{} --out {}",
                      shell_word(given.scenario), words, seconds_text(end), word_of(live.scenario.engine),
                      shell_word((out / kSerialFile).string()), shell_word((out / "replay").string()));
@@ -140,7 +145,7 @@ int live(LiveOptions given, const SearchPath& path) {
   std::cout << fmt::format("simulated      {} s, {} ticks\nsha256         {}\n", seconds_text(summary.facts.cycles),
                            summary.facts.ticks, summary.facts.sha256)
             << fmt::format("results        {}\nto repeat it   {}\n", printable(out.string(), kShowAll),
-                           replay_command(given, live, out, summary.facts.cycles));
+                           replay_command(given, live, session.cell().overrides(), out, summary.facts.cycles));
   if (summary.failure) std::cerr << *summary.failure << "\n";
   if (summary.failure) return kExitCheckFailed;
   return summary.interrupted ? kExitInterrupted : kExitOk;

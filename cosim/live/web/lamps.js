@@ -1,4 +1,6 @@
-// Lamps: what the drives, switches and the controller say.
+// Lamps: what the drives, switches and the controller say. Those of lines to the chip can be clicked.
+const kHeldSwitches = ['home', 'limit_pos', 'limit_neg'];
+
 class Lamps {
   constructor(parent, count, connection) {
     const box = panel(parent, 'lamps', 'Lamps');
@@ -22,7 +24,32 @@ class Lamps {
       const line = row(this.axes, [name, ...new Array(count).fill('')]);
       this.rows[key] = Array.from(line.children).slice(1).map((cell) => element(cell, 'i', `dot ${kind}`));
     }
+    for (const which of kHeldSwitches) this.addClicks(which, connection);
+    this.lamps.estop.classList.add('click');
+    this.lamps.estop.title = 'click: hold the line of the emergency stop, or let it go';
+    this.lamps.estop.addEventListener('click', () => connection.send({ do: 'hold', which: 'estop' }));
     this.addOutputs(box, connection);
+    this.addInputs(box, connection);
+  }
+
+  // A click holds a switch at its other level, or lets it go.
+  addClicks(which, connection) {
+    this.rows[which].forEach((dot, joint) => {
+      dot.classList.add('click');
+      dot.dataset.hold = `${which} ${joint + 1}`;
+      dot.title = `${which} of axis ${joint + 1}; click: hold it at the other level, or let it go`;
+      dot.addEventListener('click', () => connection.send({ do: 'hold', which, axis: joint + 1 }));
+    });
+  }
+
+  addInputs(box, connection) {
+    const line = element(box, 'div', 'outputs');
+    element(line, 'span', 'label').textContent = 'tool inputs';
+    this.inputs = Array.from({ length: 16 }, (_, bit) => {
+      const key = button(line, String(bit + 1), `input ${bit + 1}: invert it`, () => connection.send({ do: 'input', pin: bit + 1 }));
+      key.dataset.input = bit + 1;
+      return key;
+    });
   }
 
   // A click switches an output of the tool.
@@ -48,7 +75,12 @@ class Lamps {
     for (const [key, dots] of Object.entries(this.rows)) {
       dots.forEach((dot, joint) => dot.classList.toggle('on', ((lamps[key] >> joint) & 1) === 1));
     }
+    for (const which of kHeldSwitches) {
+      this.rows[which].forEach((dot, joint) => dot.classList.toggle('held', ((state.held[which] >> joint) & 1) === 1));
+    }
+    this.lamps.estop.classList.toggle('held', state.held.estop);
     this.outputs.forEach((button, bit) => button.classList.toggle('on', ((lamps.outputs >> bit) & 1) === 1));
+    this.inputs.forEach((button, bit) => button.classList.toggle('on', ((lamps.inputs >> bit) & 1) === 1));
   }
 }
 

@@ -20,8 +20,9 @@ function showLive() {
     const jog = new Jog(right, count, connection);
     const hand = new Hand(left, hello, connection, arm, drive);
     const program = new Program(right, hello.programs, connection);
+    const faults = new Faults(left, hello.faults, connection);
     const messages = new Messages(right);
-    return { arm, plots, lamps, drive, jog, hand, program, messages };
+    return { arm, plots, lamps, drive, jog, hand, program, faults, messages };
   }
 
   function show() {

@@ -36,6 +36,28 @@ TEST(Script, GivesEachActionOnceInTheOrderOfTime) {
   EXPECT_FALSE(script.pop_due(Cycles{1'000'000}));
 }
 
+TEST(Script, TakesActionsWhileTheRunGoesOn) {
+  Scenario scenario;
+  CommandSpec move;
+  move.at_s = 2e-6;
+  scenario.moves = {move};
+  scenario.inputs = {{.at_s = 2e-6, .pin = 1, .level = true}};
+  const FaultSpec estop{.at_s = 2e-6, .kind = Estop{.duration_s = 1}};
+  Script script{scenario};
+  EXPECT_FALSE(script.pop_due(Cycles{99}));
+  script.add(InputSpec{.at_s = 2e-6, .pin = 2, .level = true});
+  script.add(estop);
+  EXPECT_EQ(std::get<FaultSpec>(*script.pop_due(Cycles{100})), estop);
+  EXPECT_EQ(std::get<InputSpec>(*script.pop_due(Cycles{100})).pin, 1);
+  EXPECT_EQ(std::get<InputSpec>(*script.pop_due(Cycles{100})).pin, 2);
+  EXPECT_TRUE(std::holds_alternative<CommandSpec>(*script.pop_due(Cycles{100})));
+  EXPECT_EQ(script.next_event(), to_cycles(2e-6 + 1));
+  script.end(estop, Cycles{100});
+  EXPECT_EQ(script.next_event(), Cycles{101}) << "not in the cycle of its begin";
+  EXPECT_EQ(std::get<FaultEnd>(*script.pop_due(Cycles{101})).fault, estop);
+  EXPECT_FALSE(script.next_event());
+}
+
 TEST(Script, AFaultOfOneCycleEndsInALaterCycleWhateverItsTime) {
   constexpr double kCycleS = 1.0 / kClkFreqHz;
   // In the middle between two cycles, where begin and end can be rounded to the same one.

@@ -43,6 +43,17 @@ TEST(PageMessage, MalformedMessagesGetAnErrorAndDoNothing) {
       {R"({"do":"load","name":"a.jbi","text":""})", "empty"},
       {R"({"do":"load","name":"a.jbi","text":"\u00e4"})", "not ASCII"},
       {R"({"do":"inverse","xyz_mm":[1,2],"from_deg":[0,0,0,0,0,0]})", "\"xyz_mm\" must be 3 numbers"},
+      {R"({"do":"input","pin":17})", "from 1 to 16"},
+      {R"({"do":"hold","which":"door","axis":1})", "limit_neg or estop"},
+      {R"({"do":"hold","which":"home","axis":7})", "from 1 to 6"},
+      {R"({"do":"fault","fault":1})", "must be an object"},
+      {R"({"do":"fault","fault":{"kind":"rain"}})", "rain"},
+      {R"({"do":"fault","fault":{"kind":"estop"}})", "duration_s"},
+      {R"({"do":"fault","fault":{"kind":"estop","duration_s":-1}})", "duration_s"},
+      {R"({"do":"fault","fault":{"kind":"estop","duration_s":1,"axis":1}})", "axis"},
+      {R"({"do":"fault","fault":{"kind":"estop","duration_s":1,"at_s":0}})", "at_s"},
+      {R"({"do":"fault","fault":{"kind":"estop","duration_s":[1]}})", "must be a number, a flag"},
+      {R"({"do":"fault","fault":{"kind":"drive_alarm","axis":7,"duration_s":1}})", "axis"},
       {R"({"do":"forward","joints_deg":[0,0,0,0,0,null]})", "must be 6 numbers"},
   };
   for (const auto& [message, why] : cases) {

@@ -79,6 +79,21 @@ class Live(LivePage):
         self.wait_for("idle")
         self.switch_on()
 
+    def test_faults_and_inputs_by_a_click(self):
+        self.open(self.live("pendant_jog"))
+        self.switch_on()
+        self.page.run("document.querySelector('[data-input=\"5\"]').click()")
+        self.page.run("document.querySelector('[data-hold=\"home 2\"]').click()")
+        self.until("live.state.lamps.inputs === 16 && document.querySelector('.held[data-hold=\"home 2\"]') !== null")
+        self.page.run("live.faults.choose('drive_alarm')")
+        self.click("cause")
+        self.wait_for("alarm")
+        self.until("live.state.events.some(event => /^tick \\d+, warning: .* fault: drive_alarm of axis 1/.test(event))")
+        self.page.run("live.faults.choose('estop'); live.faults.fields[0].value = -1")
+        self.click("cause")
+        self.until("document.getElementById('problem').textContent.includes('duration_s')")
+        self.assertEqual(self.page.problems(), [])
+
     def test_a_program_is_loaded_run_held_and_stepped(self):
         self.open(self.live("job_pick_and_place"))
         self.switch_on()
