@@ -101,9 +101,8 @@ Json LiveCell::held() const {
     }
     json[std::string{word_of(which)}] = bits;
   }
-  json["estop"] = std::ranges::any_of(held_, [](const FaultSpec& held) {
-    return std::holds_alternative<Estop>(held.kind);
-  });
+  json["estop"] =
+      std::ranges::any_of(held_, [](const FaultSpec& held) { return std::holds_alternative<Estop>(held.kind); });
   return json;
 }
 

@@ -1,5 +1,6 @@
-// What a person does to the cell of a live run beside the pendant: inputs of the tool, switches, the line of the emergency
-// stop, faults. All of it happens through the script of the run, and is remembered for a run that repeats the session.
+// What a person does to the cell of a live run beside the pendant: inputs of the tool, switches, the line of the
+// emergency stop, faults. All of it happens through the script of the run, and is remembered for a run that repeats the
+// session.
 #pragma once
 
 #include <string>
@@ -29,8 +30,8 @@ class LiveCell final : public RunListener {
 
   // What is held: {"home": one bit an axis, "limit_pos", "limit_neg", "estop": true or false}.
   [[nodiscard]] Json held() const;
-  // `fault=[...]` and `input=[...]`: all that has happened so far, also by the scenario. Overrides of the scenario (--set)
-  // for a run that repeats this one.
+  // `fault=[...]` and `input=[...]`: all that has happened so far, also by the scenario. Overrides of the scenario
+  // (--set) for a run that repeats this one.
   [[nodiscard]] std::vector<std::string> overrides() const;
 
   // RunListener

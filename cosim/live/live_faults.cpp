@@ -26,9 +26,9 @@ struct Suggestion {
 
 // For keys whose smallest value shows nothing. Others get 1, or what is nearest to it.
 constexpr std::array kSuggestions{
-    Suggestion{"duration_s", 0.1},  Suggestion{"count", 100},     Suggestion{"counts", 100},
-    Suggestion{"compute_us", 60},   Suggestion{"period_us", 40},  Suggestion{"width_us", 2},
-    Suggestion{"mean_gap_us", 200}, Suggestion{"delay_us", 1},    Suggestion{"address", regs::soc::kPulseTrainBase},
+    Suggestion{"duration_s", 0.1},  Suggestion{"count", 100},    Suggestion{"counts", 100},
+    Suggestion{"compute_us", 60},   Suggestion{"period_us", 40}, Suggestion{"width_us", 2},
+    Suggestion{"mean_gap_us", 200}, Suggestion{"delay_us", 1},   Suggestion{"address", regs::soc::kPulseTrainBase},
 };
 
 Json suggested_value(const KeyInfo& key) {

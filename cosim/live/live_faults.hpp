@@ -8,8 +8,8 @@
 
 namespace armature::cosim {
 
-// [{"kind", "text", "keys": [{"key", "text", "unit", "min", "max", "choices", "whole", "value"}]}]. `choices` is null for
-// a number. `value`: a value that shows the fault.
+// [{"kind", "text", "keys": [{"key", "text", "unit", "min", "max", "choices", "whole", "value"}]}]. `choices` is null
+// for a number. `value`: a value that shows the fault.
 [[nodiscard]] Json fault_kinds_json(const RobotSpec& robot);
 
 // The fault of a table that has the keys of [[fault]] without `at_s`. It begins at `now`. Throws MessageError.

@@ -73,10 +73,10 @@ Json PageCommands::execute(const PageMessage& message) {
   for (const auto& [name, question] : kQuestions) {
     if (what == name) return (this->*question)(message);
   }
-  throw MessageError{
-      fmt::format("\"do\" is beat, release, estop, jog, send, move, load, run, breakpoint, fault, input, hold, forward or "
-                  "inverse, not \"{}\"",
-                  what)};
+  throw MessageError{fmt::format(
+      "\"do\" is beat, release, estop, jog, send, move, load, run, breakpoint, fault, input, hold, forward or "
+      "inverse, not \"{}\"",
+      what)};
 }
 
 void PageCommands::press(const Frame& frame) {

@@ -64,7 +64,7 @@ set(live_web ${PROJECT_SOURCE_DIR}/cosim/live/web)
 set(live_scripts
   ${page_web}/dom.js ${page_web}/colors.js ${page_web}/kinematics.js ${page_web}/frames.js
   ${page_web}/arm.js)
-foreach(file IN ITEMS connection live_arm live_plots lamps jog drive program hand faults status live_main)
+foreach(file IN ITEMS connection live_arm live_plots lamps jog drive program hand faults past status live_main)
   list(APPEND live_scripts ${live_web}/${file}.js)
 endforeach()
 

@@ -1,9 +1,11 @@
 #include "cosim/rewind/reversible_run.hpp"
 
 #include <stdexcept>
+#include <utility>
 
 #include "cosim/rewind/run_server.hpp"
 #include "cosim/snapshot/copied_process.hpp"
+#include "cosim/snapshot/text_message.hpp"
 #include "cosim/time/never.hpp"
 
 namespace armature::cosim {
@@ -60,12 +62,9 @@ ReversibleRun::Results ReversibleRun::finish() {
 }
 
 std::string ReversibleRun::receive_text() {
-  std::string text;
-  while (const auto part = channel_.receive<RunTextPart>()) {
-    text.append(part->text.data(), part->size);
-    if (part->size < part->text.size()) return text;
-  }
-  throw std::runtime_error{kProcessEnded};
+  std::optional<std::string> text = armature::cosim::receive_text(channel_);
+  if (!text) throw std::runtime_error{kProcessEnded};
+  return *std::move(text);
 }
 
 RunAnswer ReversibleRun::ask(const RunRequest& request) {

@@ -32,10 +32,4 @@ struct RunAnswer {
   std::array<char, 200> error{};  // '\0' ended; empty: none. The run cannot continue
 };
 
-// A text comes in parts, all full but the last one.
-struct RunTextPart {
-  std::uint32_t size = 0;
-  std::array<char, 60'000> text{};
-};
-
 }  // namespace armature::cosim

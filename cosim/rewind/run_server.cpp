@@ -20,6 +20,7 @@
 #include "cosim/run/run.hpp"
 #include "cosim/snapshot/point_pacing.hpp"
 #include "cosim/snapshot/return_points.hpp"
+#include "cosim/snapshot/text_message.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -49,8 +50,8 @@ class RunServer final : private RunListener {
       if (const std::optional<RunAnswer> answer = fulfil(request)) {
         channel_.send(*answer);
         if (request.kind == RunRequest::Kind::kFinish) {
-          send_text(*summary_);
-          send_text(trace_ ? std::string_view{trace_->text()} : std::string_view{});
+          send_text(channel_, *summary_);
+          send_text(channel_, trace_ ? std::string_view{trace_->text()} : std::string_view{});
         }
         went_back_ = false;
       }
@@ -76,15 +77,6 @@ class RunServer final : private RunListener {
     if (!found) found = find(request);
     if (request.kind == RunRequest::Kind::kFinish && !summary_) summary_ = summary_json(run_.finish());
     return RunAnswer{.state = digest_.state(run_.look()), .found = found};
-  }
-
-  void send_text(std::string_view text) {
-    RunTextPart part;
-    do {
-      part.size = static_cast<std::uint32_t>(text.copy(part.text.data(), part.text.size()));
-      channel_.send(part);
-      text.remove_prefix(part.size);
-    } while (part.size == part.text.size());
   }
 
   [[nodiscard]] std::int64_t gap(const RunRequest& request) const { return (request.to - run_.now()).value(); }

@@ -6,6 +6,7 @@
 #include <memory>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <variant>
 
 #include "cosim/report/format/injection_text.hpp"
@@ -19,9 +20,10 @@
 namespace armature::cosim {
 
 LogListener::LogListener(const Scenario& scenario, const std::filesystem::path& file)
-    : scenario_{scenario},
-      names_{scenario},
-      log_{"events", std::make_shared<spdlog::sinks::basic_file_sink_st>(file.string(), true)} {
+    : LogListener{scenario, std::make_shared<spdlog::sinks::basic_file_sink_st>(file.string(), true)} {}
+
+LogListener::LogListener(const Scenario& scenario, spdlog::sink_ptr sink)
+    : scenario_{scenario}, names_{scenario}, log_{"events", std::move(sink)} {
   log_.set_pattern("%l: %v");
   log_.info("{}: {}", printable(scenario.name), printable(scenario.description));
 }

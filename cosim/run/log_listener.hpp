@@ -17,6 +17,8 @@ class LogListener final : public RunListener {
  public:
   // Throws spdlog::spdlog_ex when the file cannot be written. The scenario must outlive this.
   LogListener(const Scenario& scenario, const std::filesystem::path& file);
+  // The lines go to the sink.
+  LogListener(const Scenario& scenario, spdlog::sink_ptr sink);
 
   void on_row(const TraceRow& row, const IntegerDigest& digest) override;
   void on_event(const Event& event, const RunPlace& place) override { event_log_.write(event, place.at); }

@@ -140,7 +140,7 @@ COSIM = {
     "serve": {"text", "net", "logic", "soc"},
 }
 COSIM["rewind"] = COSIM["run"] | {"run", "logic", "snapshot"}
-COSIM["live"] = COSIM["run"] | {"run", "robot", "programs", "poses", "logic", "pendant", "page"}
+COSIM["live"] = COSIM["run"] | {"run", "robot", "programs", "poses", "logic", "fault", "pendant", "page", "snapshot"}
 COSIM["cli"] = COSIM.keys() - {
     "keydoc",
     "kernel",

@@ -19,9 +19,7 @@
 #include "cosim/cli/run/interrupt.hpp"
 #include "cosim/cli/texts/new_scenario.hpp"
 #include "cosim/net/web_admission.hpp"
-#include "cosim/run/log_listener.hpp"
 #include "cosim/run/run_folder.hpp"
-#include "cosim/run/serial_listener.hpp"
 #include "cosim/scenario/files/robot_loader.hpp"
 #include "cosim/scenario/files/scenario_loader.hpp"
 #include "cosim/text/number_text.hpp"
@@ -51,6 +49,8 @@ with the profile 'extended' and loses its moves: the drives are off until the pa
 With --robot no scenario is needed. One in which this robot only waits is written to the folder of --out.
 The simulation keeps the pace of real time if the machine is fast enough; the page shows the factor. The engine is the
 model, whatever the scenario says; --engine chooses another one.
+The time bar of the page goes back to any moment of the session. From there it can go on: what came after the moment is
+gone then, also in serial.csv and log.txt.
 When the page is closed or frozen, the arm stops. Only this machine can connect; the address has a random token, without
 which nothing is served. One page at a time has the arm.
 --out gets serial.csv and log.txt. The last lines that the command prints repeat the session without the page, from
@@ -129,26 +129,22 @@ int live(LiveOptions given, const SearchPath& path) {
   claim_results(files, out);
   RunFolder folder{out};
   prepare_serial_log(out / kSerialFile);
-  LogListener log{scenario, out / kLogFile};
-  SerialListener serial{out / kSerialFile};
   catch_interrupts();
   const Listener listener{ListenAddress{.tcp_port = given.port, .path = {}}};
-  LiveSession session{scenario};
-  session.run().add(log);
-  session.run().add(serial);
+  ReversibleSession session{scenario, {.serial = out / kSerialFile, .log = out / kLogFile}};
   WebServer server{listener, session};
   std::cout << page_address(listener.tcp_port().value(), listener.token().value())
             << std::endl;  // a script waits for it
   run_live(session, server, given.pace);
-  const RunSummary summary = session.run().finish();
+  const SessionResult result = session.finish();
   folder.finish();
-  std::cout << fmt::format("simulated      {} s, {} ticks\nsha256         {}\n", seconds_text(summary.facts.cycles),
-                           summary.facts.ticks, summary.facts.sha256)
+  std::cout << fmt::format("simulated      {} s, {} ticks\nsha256         {}\n", seconds_text(result.cycles),
+                           result.ticks, result.sha256)
             << fmt::format("results        {}\nto repeat it   {}\n", printable(out.string(), kShowAll),
-                           replay_command(given, live, session.cell().overrides(), out, summary.facts.cycles));
-  if (summary.failure) std::cerr << *summary.failure << "\n";
-  if (summary.failure) return kExitCheckFailed;
-  return summary.interrupted ? kExitInterrupted : kExitOk;
+                           replay_command(given, live, result.overrides, out, result.cycles));
+  if (!result.failure.empty()) std::cerr << result.failure << "\n";
+  if (!result.failure.empty()) return kExitCheckFailed;
+  return result.interrupted ? kExitInterrupted : kExitOk;
 }
 
 CommandAction declare_live(CLI::App& app) {
@@ -161,7 +157,8 @@ CommandAction declare_live(CLI::App& app) {
       ->type_name(kRobotValue)
       ->excludes(scenario);
   app.add_option("--port", options->port, "Port on 127.0.0.1 (default 0: any free one, printed)");
-  app.add_option("--out", options->out, "Folder for serial.csv and log.txt (default out/<scenario>_live or out/<robot>_live)")
+  app.add_option("--out", options->out,
+                 "Folder for serial.csv and log.txt (default out/<scenario>_live or out/<robot>_live)")
       ->type_name(kFolderValue);
   app.add_option("--pace", options->pace, "Largest simulated time per real time (default 1)")
       ->check(CLI::Range(1e-4, 1e4));

@@ -19,7 +19,7 @@ constexpr Clock::duration kFarewell = std::chrono::milliseconds{100};
 // Simulated time per real time over the last second.
 class Factor {
  public:
-  explicit Factor(Clock::time_point now) : since_{now} {}
+  Factor(Clock::time_point now, double simulated_s) : since_{now}, simulated_since_s_{simulated_s} {}
 
   double update(Clock::time_point now, double simulated_s) {
     constexpr std::chrono::duration<double> kSpan{1.0};
@@ -34,27 +34,39 @@ class Factor {
 
  private:
   Clock::time_point since_;
-  double simulated_since_s_ = 0;
+  double simulated_since_s_;
   double factor_ = 0;
+};
+
+// Real time and simulated time together, from a moment on.
+struct Times {
+  Times(double pace_factor, Clock::time_point now, double simulated_s)
+      : pace{pace_factor, now - std::chrono::duration_cast<Clock::duration>(
+                                    std::chrono::duration<double>{simulated_s / pace_factor})},
+        factor{now, simulated_s} {}
+
+  Pace pace;
+  Factor factor;
 };
 
 }  // namespace
 
-void run_live(LiveSession& session, WebServer& server, double pace_factor) {
-  const Clock::time_point start = Clock::now();
-  Pace pace{pace_factor, start};
-  Factor factor{start};
-  Clock::time_point next_frame = start;
+void run_live(ReversibleSession& session, WebServer& server, double pace_factor) {
+  Clock::time_point next_frame = Clock::now();
+  Times times{pace_factor, next_frame, 0};
+  int jumps = 0;
   bool over = false;
   while (!over && !interrupted()) {
     Clock::time_point now = Clock::now();
-    Clock::duration wait = pace.wait(to_seconds(session.run().now()), now);
+    if (jumps != session.jumps()) times = Times{pace_factor, now, to_seconds(session.now())};
+    jumps = session.jumps();
+    Clock::duration wait = session.is_looking() ? kFrame : times.pace.wait(to_seconds(session.now()), now);
     if (wait == Clock::duration::zero()) {
-      over = !session.advance(session.run().now() + kLiveSlice);
+      over = !session.advance(session.now() + kLiveSlice);
       now = Clock::now();
     }
     if (now >= next_frame || over) {
-      const double lately = factor.update(now, to_seconds(session.run().now()));
+      const double lately = times.factor.update(now, to_seconds(session.now()));
       if (server.has_page()) server.offer(session.state(lately));
       next_frame = std::max(next_frame + kFrame, now);
     }

@@ -69,6 +69,10 @@ class LiveArm extends ArmView {
     this.pose();
   }
 
+  clearTrail() {
+    this.trailLength = 0;
+  }
+
   addToTrail(point) {
     const last = 3 * (this.trailLength - 1);
     const moved = this.trailLength === 0 ||

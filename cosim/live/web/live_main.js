@@ -5,6 +5,7 @@ function showLive() {
   const status = new Status(place('top'), connection);
   let latest = null;
   let parts = null;
+  let shown = 0;  // time of the state that is shown
 
   function build(hello) {
     const count = hello.arm.axes.length;
@@ -14,6 +15,7 @@ function showLive() {
     status.title.textContent = hello.scenario;
     status.title.title = hello.description;
     const arm = new LiveArm(place('view'), hello.arm);
+    const past = new Past(place('view'), connection);
     const plots = new LivePlots(place('view'), count);
     const lamps = new Lamps(place('view'), count, connection);
     const drive = new Drive(left, count, connection);
@@ -22,7 +24,7 @@ function showLive() {
     const program = new Program(right, hello.programs, connection);
     const faults = new Faults(left, hello.faults, connection);
     const messages = new Messages(right);
-    return { arm, plots, lamps, drive, jog, hand, program, faults, messages };
+    return { arm, past, plots, lamps, drive, jog, hand, program, faults, messages };
   }
 
   function show() {
@@ -30,8 +32,10 @@ function showLive() {
     if (!latest || !parts) return;
     const state = latest;
     latest = null;
+    if (state.t < shown) parts.arm.clearTrail();
+    shown = state.t;
     parts.arm.show(state.joints_deg, state.set_deg);
-    for (const part of [status, parts.lamps, parts.drive, parts.jog, parts.hand, parts.program, parts.messages]) part.show(state);
+    for (const part of [status, parts.past, parts.lamps, parts.drive, parts.jog, parts.hand, parts.program, parts.messages]) part.show(state);
     document.body.dataset.ready = 'yes';
   }
 

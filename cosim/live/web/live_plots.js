@@ -47,11 +47,9 @@ class LivePlots {
   }
 
   add(state) {
+    if (this.last && state.t < this.last.t) this.goBack(state.t);
     const { last } = this;
-    if (last && state.t - last.t < kRowEverySeconds) {
-      if (state.t >= last.t) return;
-      this.rows = { position: [], speed: [] };  // another session
-    }
+    if (last && state.t - last.t < kRowEverySeconds) return;
     const position = [state.t, ...state.joints_deg];
     const step = last ? state.t - last.t : 0;
     const speed = step > 0 ? state.joints_deg.map((deg, i) => (deg - last.joints[i]) / step) : state.joints_deg.map(() => 0);
@@ -61,6 +59,12 @@ class LivePlots {
       while (rows.length > 0 && rows[0][0] < state.t - kShownSeconds) rows.shift();
     }
     this.last = { t: state.t, joints: state.joints_deg };
+  }
+
+  // To an earlier time, or to another session.
+  goBack(time) {
+    for (const kind of Object.keys(this.rows)) this.rows[kind] = this.rows[kind].filter((row) => row[0] < time);
+    this.last = null;
   }
 
   draw() {

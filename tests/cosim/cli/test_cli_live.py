@@ -34,7 +34,11 @@ class Live(Program):
         robot.parent.mkdir()
         robot.write_bytes((SCENARIOS / "robots" / robot.name).read_bytes())
         self.expect_repeated("--robot", "mine/kuka_kr6_r900.toml")
-        for arguments, expected in [((), "expected a scenario"), (("--robot", "r2d2"), "r2d2"), ((TINY, "--robot", "hu2012_5r"), "excludes")]:
+        for arguments, expected in [
+            ((), "expected a scenario"),
+            (("--robot", "r2d2"), "r2d2"),
+            ((TINY, "--robot", "hu2012_5r"), "excludes"),
+        ]:
             self.assertIn(expected, self.armature("live", *arguments, code=2).stderr)
 
     def test_ctrl_c_ends_it_and_leaves_whole_files(self):

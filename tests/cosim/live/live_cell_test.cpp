@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "cosim/live/live_faults.hpp"
-#include "cosim/run/serial_listener.hpp"
+#include "cosim/serial/serial_log.hpp"
 #include "cosim/serial/silent_peer.hpp"
 #include "cosim/text/text_file.hpp"
 #include "tests/cosim/live/live_page.hpp"
@@ -51,7 +51,7 @@ TEST(LiveCell, AClickInvertsAnInputAndHoldsASwitch) {
 TEST(LiveCell, TheEventsSayInWhichTickAFaultBeganAndEnded) {
   LivePage page{live_scenario_of("pendant_jog", "strict")};
   page.switch_on();
-  const auto tick = page.session.run().now().value() / kTickCycles;
+  const auto tick = page.session.now().value() / kTickCycles;
   EXPECT_EQ(page.ask(R"({"do":"fault","fault":{"kind":"drive_alarm","axis":2,"duration_s":0.01}})"), json{});
   page.pass(100);
   const std::string events = page.state()["events"].dump();
@@ -63,13 +63,13 @@ TEST(LiveCell, TheEventsSayInWhichTickAFaultBeganAndEnded) {
 }
 
 // The digest of the run that the overrides and the recorded line describe.
-std::string digest_of_repeated(const std::vector<std::string>& overrides, const std::filesystem::path& serial, Cycles end) {
+std::string digest_of_repeated(const std::vector<std::string>& overrides, const std::filesystem::path& serial,
+                               Cycles end) {
   const std::filesystem::path scenarios = ARMATURE_SOURCE_DIR "/scenarios";
   std::vector<std::string> all{"pendant.profile=\"strict\"", "move=[]", "expect={}", "duration_s=" + seconds_text(end)};
   all.insert(all.end(), overrides.begin(), overrides.end());
-  Scenario scenario = load_scenario(
-      scenarios / "pendant_jog",
-      {.search_path = scenarios, .overrides = all, .logic = {.engine = Engine::kModel}});
+  Scenario scenario = load_scenario(scenarios / "pendant_jog",
+                                    {.search_path = scenarios, .overrides = all, .logic = {.engine = Engine::kModel}});
   scenario.serial_sends = parse_serial_log(serial, read_text_file(serial, 1 << 20), *scenario.serial);
   SilentPeer nobody;
   Run run{scenario, {.serial_peer = &nobody}};
@@ -84,25 +84,26 @@ TEST(LiveCell, WhatWasClickedHappensAgainInTheRunThatRepeatsTheSession) {
   std::vector<std::string> overrides;
   Cycles end{};
   {
-    LivePage page{live_scenario_of("pendant_jog", "strict")};
-    SerialListener serial{file};
-    page.session.run().add(serial);
+    LivePage page{live_scenario_of("pendant_jog", "strict"), {.serial = file}};
     page.switch_on();
     page.hold_jog("1");
     page.pass(150);
-    for (const char* const click :
-         {R"({"do":"input","pin":3})", R"({"do":"input","pin":16})", R"({"do":"hold","which":"home","axis":4})",
-          R"({"do":"fault","fault":{"kind":"pulse_loss","axis":2,"count":7}})",
-          R"({"do":"fault","fault":{"kind":"encoder_noise","axis":3,"line":"a","width_us":2,"mean_gap_us":90,"duration_s":0.03}})",
-          R"({"do":"input","pin":3})", R"({"do":"hold","which":"home","axis":4})", R"({"do":"hold","which":"limit_pos","axis":2})"}) {
+    for (
+        const char* const click :
+        {R"({"do":"input","pin":3})", R"({"do":"input","pin":16})", R"({"do":"hold","which":"home","axis":4})",
+         R"({"do":"fault","fault":{"kind":"pulse_loss","axis":2,"count":7}})",
+         R"({"do":"fault","fault":{"kind":"encoder_noise","axis":3,"line":"a","width_us":2,"mean_gap_us":90,"duration_s":0.03}})",
+         R"({"do":"input","pin":3})", R"({"do":"hold","which":"home","axis":4})",
+         R"({"do":"hold","which":"limit_pos","axis":2})"}) {
       EXPECT_EQ(page.ask(click), json{}) << click;
       page.pass(24);
     }
     page.held.reset();
     page.pass(100);
-    end = page.session.run().now();
-    digest = page.session.run().finish().facts.sha256;
-    overrides = page.session.cell().overrides();
+    const SessionResult result = page.session.finish();
+    end = result.cycles;
+    digest = result.sha256;
+    overrides = result.overrides;
   }
   EXPECT_THAT(overrides, testing::ElementsAre(HasSubstr("switch_stuck"), HasSubstr("pin=16,level=1")));
   EXPECT_EQ(digest_of_repeated(overrides, file, end), digest);

@@ -8,9 +8,11 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "cosim/live/live_session.hpp"
+#include "cosim/live/past/reversible_session.hpp"
 #include "cosim/scenario/files/scenario_loader.hpp"
 #include "cosim/time/clock.hpp"
 
@@ -27,17 +29,19 @@ inline Scenario live_scenario_of(const std::string& name, const std::string& pro
   return scenario;
 }
 
-// A page whose time passes as that of the simulation. It sends a beat every 100 ms while it is alive.
-class LivePage {
+// A page whose time passes as that of the simulation. It sends a beat every 100 ms while it is alive. `Session`: a
+// LiveSession, or a ReversibleSession, which knows by the time whether the page is alive.
+template <class Session>
+class PageOf {
  public:
-  explicit LivePage(Scenario scenario) : scenario_{std::move(scenario)} {}
+  explicit PageOf(Scenario scenario, const SessionFiles& files = {}) : scenario_{std::move(scenario)}, files_{files} {}
 
   void pass(int ms) {
     for (int i = 0; i < ms; i += kStep_ms) {
       now_ += std::chrono::milliseconds{kStep_ms};
       if (alive && i % 100 == 0) static_cast<void>(session.on_message(R"({"do":"beat"})"));
       if (held && i % 50 == 0) static_cast<void>(session.on_message(*held));
-      ASSERT_TRUE(session.advance(session.run().now() + to_cycles(kStep_ms * 1e-3)));
+      ASSERT_TRUE(session.advance(session.now() + to_cycles(kStep_ms * 1e-3)));
     }
   }
   nlohmann::json ask(const std::string& message) {
@@ -45,7 +49,7 @@ class LivePage {
     return answer.empty() ? nlohmann::json{} : nlohmann::json::parse(answer);
   }
   nlohmann::json state() { return nlohmann::json::parse(session.state(1.0)); }
-  double joint(std::size_t number) { return state()["joints_deg"][number - 1].get<double>(); }
+  double joint(std::size_t number) { return double{state()["joints_deg"][number - 1]}; }
   void switch_on() {
     pass(200);
     EXPECT_EQ(ask(R"({"do":"send","command":"servo","parameter":1,"payload":0})"), nlohmann::json{});
@@ -64,10 +68,22 @@ class LivePage {
  private:
   static constexpr int kStep_ms = 2;
   Scenario scenario_;
-  LiveSession::Clock::time_point now_{};
+  SessionFiles files_;
+  ReversibleSession::Clock::time_point now_{};
+
+  Session make() {
+    if constexpr (std::is_same_v<Session, LiveSession>) {
+      return Session{scenario_};
+    } else {
+      return Session{scenario_, files_, [this] { return now_; }};
+    }
+  }
 
  public:
-  LiveSession session{scenario_, [this] { return now_; }};
+  Session session = make();
 };
+
+using LivePage = PageOf<ReversibleSession>;
+using PlainPage = PageOf<LiveSession>;
 
 }  // namespace armature::cosim::test

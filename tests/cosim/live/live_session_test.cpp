@@ -137,7 +137,9 @@ TEST(LiveSession, MovesOnAnArcThroughItsViaPoint) {
     return point;
   };
   const json via = beside(15, 15), end = beside(30, 0);
-  const json arc = {{"do", "move"}, {"path", "arc"}, {"via_mm", via}, {"xyz_mm", end}, {"rpy_deg", start["rpy_deg"]}, {"speed_percent", 20}};
+  const json arc = {
+      {"do", "move"},       {"path", "arc"}, {"via_mm", via}, {"xyz_mm", end}, {"rpy_deg", start["rpy_deg"]},
+      {"speed_percent", 20}};
   EXPECT_EQ(page.ask(arc.dump()), json{});
   const auto distance = [&page](const json& point) {
     double sum = 0;
@@ -171,7 +173,7 @@ TEST(LiveSession, TheEmergencyStopIsLatchedUntilItIsReset) {
 }
 
 TEST(LiveSession, KeepsNothingOfTheLineSoThatItDoesNotGrow) {
-  LivePage page{live_scenario_of("pendant_jog", "strict")};
+  test::PlainPage page{live_scenario_of("pendant_jog", "strict")};
   page.switch_on();
   EXPECT_TRUE(page.session.run().facts().serial_sent.empty());
 }

@@ -10,11 +10,11 @@ namespace armature::cosim {
 namespace {
 
 using test::live_scenario_of;
-using test::LivePage;
+using test::PlainPage;
 using testing::HasSubstr;
 
 TEST(PageMessage, MalformedMessagesGetAnErrorAndDoNothing) {
-  LivePage page{live_scenario_of("pendant_jog", "strict")};
+  PlainPage page{live_scenario_of("pendant_jog", "strict")};
   page.switch_on();
   const std::pair<const char*, const char*> cases[] = {
       {"", "JSON object"},

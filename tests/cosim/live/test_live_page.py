@@ -1,6 +1,7 @@
 """The live page in a browser: a person jogs, moves, runs a program, stops; the page is closed, opened twice, reloaded."""
 
 import json
+import shlex
 import urllib.error
 import urllib.request
 
@@ -88,11 +89,41 @@ class Live(LivePage):
         self.page.run("live.faults.choose('drive_alarm')")
         self.click("cause")
         self.wait_for("alarm")
-        self.until("live.state.events.some(event => /^tick \\d+, warning: .* fault: drive_alarm of axis 1/.test(event))")
+        self.until(
+            "live.state.events.some(event => /^tick \\d+, warning: .* fault: drive_alarm of axis 1/.test(event))"
+        )
         self.page.run("live.faults.choose('estop'); live.faults.fields[0].value = -1")
         self.click("cause")
         self.until("document.getElementById('problem').textContent.includes('duration_s')")
         self.assertEqual(self.page.problems(), [])
+
+    def test_the_time_bar_goes_back_and_the_session_goes_on_from_there(self):
+        process = self.live("pendant_jog")
+        self.open(process)
+        self.switch_on()
+        self.hold("0+")
+        self.until("live.state.joints_deg[0] > 4")
+        self.mouse("mouseReleased", '[data-jog="0+"]')
+        self.wait_for("ready")
+        end = self.state("t")
+        for share in (0.2, 0.9, 0.6):  # of those that come fast the last one is shown
+            self.page.run(
+                f"(b => {{ b.value = {share} * {end}; b.dispatchEvent(new Event('input')); }})(document.getElementById('time-bar'))"
+            )
+        self.until(f"live.state.bar.looking && Math.abs(live.state.t - 0.6 * {end}) < 0.01 && live.past.asked === null")
+        self.assertTrue(self.page.run("live.plots.rows.position.every(row => row[0] <= live.state.t)"))
+        deg = self.state("joints_deg")[0]
+        self.assertLess(deg, 4)
+        self.click("to-end")
+        self.until(f"!live.state.bar.looking && live.state.t > {end} && live.state.joints_deg[0] > 4")
+        self.page.run(f"live.past.look(0.6 * {end})")
+        self.until(f"live.state.bar.looking && live.state.t < {end}")
+        self.click("go-live")
+        self.until(f"!live.state.bar.looking && live.state.bar.end_s < {end}")
+        self.wait_for("ready")
+        self.assertLess(self.state("joints_deg")[0], 4, "the jog that was cut off does not go on")
+        self.assertEqual(self.page.problems(), [])
+        self.expect_repeated(self.end(process))
 
     def test_a_program_is_loaded_run_held_and_stepped(self):
         self.open(self.live("job_pick_and_place"))
@@ -127,9 +158,12 @@ class Live(LivePage):
         deg = self.state("joints_deg")[0]
         self.page.run("new Promise(done => setTimeout(done, 400))")
         self.assertEqual(self.state("joints_deg")[0], deg)
-        out = self.end(process)
+        self.expect_repeated(self.end(process))
+
+    def expect_repeated(self, out):
+        """The run that the session has printed has its bytes."""
         self.leave()
-        command = next(line for line in out.splitlines() if line.startswith("to repeat it")).split()[3:]
+        command = shlex.split(next(line for line in out.splitlines() if line.startswith("to repeat it")))[3:]
         self.assertEqual(command[:2], ["armature", "run"])
         again = self.armature(*command[1:], code=None).stdout
         digest = next(line.split()[1] for line in out.splitlines() if line.startswith("sha256"))
