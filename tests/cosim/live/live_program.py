@@ -4,6 +4,7 @@ import pathlib
 import re
 import signal
 import sys
+import time
 import unittest
 
 TESTS = pathlib.Path(__file__).resolve().parents[1]
@@ -60,12 +61,30 @@ class LivePage(LiveProgram):
     def wait_for(self, state):
         self.until(f"live.state.state === '{state}'")
 
-    def until(self, script):
-        """Until an expression in the page is true; a failure tells what the page shows."""
+    def until(self, script, again=None):
+        """Until an expression in the page is true; a failure tells what the page shows.
+
+        On a busy machine the page may be silent for a second, and then the arm stops. `again` is called when it rests.
+        """
+        while again and not self.page.is_true(script) and not self.page.problems():
+            rests = "['ready', 'hold'].includes(live.state.state)"
+            if self.soon(f"({script}) || !{rests}", 3):
+                self.soon(f"({script}) || {rests}", 60)
+            else:
+                again()
         try:
             self.page.wait_until(script)
         except browser.PageError as error:
             raise AssertionError(f"{error}\n{self.page.run('JSON.stringify(window.live && live.state)')}") from error
+
+    def soon(self, script, seconds):
+        """Whether an expression in the page becomes true within this time."""
+        end = time.monotonic() + seconds
+        while not self.page.is_true(script):
+            if time.monotonic() > end:
+                return False
+            time.sleep(0.02)
+        return True
 
     def switch_on(self):
         self.wait_for("idle")
@@ -78,10 +97,25 @@ class LivePage(LiveProgram):
         )
         self.page.of_page("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=1)
 
-    def hold(self, key):
-        """Presses a jog button, such as `1+`, and leaves it pressed."""
-        self.mouse("mousePressed", f'[data-jog="{key}"]')
-        self.wait_for("jog")
+    def reach(self, script, move):
+        """Moves the arm until an expression is true."""
+        move()
+        self.until(script, move)
+
+    def press_point(self, number):
+        """A button of the list of taught points: four for each."""
+        self.page.run(f"document.querySelectorAll('.points button')[{number}].click()")
+
+    def hold(self, key, until="live.state.state === 'jog'"):
+        """Presses a jog button, such as `1+`, and leaves it pressed, until an expression is true."""
+        button = f'[data-jog="{key}"]'
+
+        def again():
+            self.mouse("mouseReleased", button)
+            self.mouse("mousePressed", button)
+
+        self.mouse("mousePressed", button)
+        self.until(until, again)
 
     def slide(self, axis, value):
         self.page.run(

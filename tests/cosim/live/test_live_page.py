@@ -13,8 +13,7 @@ class Live(LivePage):
         process = self.live("pendant_jog")
         self.open(process)
         self.switch_on()
-        self.hold("1+")
-        self.until("live.state.joints_deg[1] > 2")
+        self.hold("1+", "live.state.joints_deg[1] > 2")
         self.assertTrue(self.page.run("document.getElementById('lamp-moving').classList.contains('on')"))
         self.mouse("mouseReleased", '[data-jog="1+"]')
         self.wait_for("ready")
@@ -24,12 +23,10 @@ class Live(LivePage):
         for ours, theirs in zip(shown, self.state("joints_deg")):
             self.assertAlmostEqual(ours, theirs, delta=0.01)
         self.slide("J5", 60)  # away from the wrist singularity
-        self.click("go-joints")
-        self.until("live.state.state === 'ready' && live.state.joints_deg[4] > 59.99")
+        self.reach("live.state.state === 'ready' && live.state.joints_deg[4] > 59.99", lambda: self.click("go-joints"))
         self.page.run("live.jog.choose(1)")  # coordinates of the base
         before = self.state("tool.xyz_mm")
-        self.hold("2-")
-        self.until(f"live.state.tool.xyz_mm[2] < {before[2] - 3}")
+        self.hold("2-", f"live.state.tool.xyz_mm[2] < {before[2] - 3}")
         self.mouse("mouseReleased", '[data-jog="2-"]')
         self.wait_for("ready")
         after = self.state("tool.xyz_mm")
@@ -45,26 +42,30 @@ class Live(LivePage):
         self.slide("J5", 40)
         self.until("!live.hand.asked")
         self.assertEqual(self.state("joints_deg")[0], 0, "the shadow moves, not the arm")
-        self.click("go-joints")
-        self.until("live.state.state === 'ready' && Math.abs(live.state.joints_deg[0] - 20) < 0.01")
+        there = "live.state.state === 'ready' && Math.abs(live.state.joints_deg[0] - 20) < 0.01"
+        self.reach(there, lambda: self.click("go-joints"))
         self.assertAlmostEqual(self.state("joints_deg")[4], 40, delta=0.01)
         self.click("teach")
         z = self.state("tool.xyz_mm")[2]
         self.slide("z", z + 30)
         self.until("!live.hand.asked")
-        self.click("go-line")
-        self.until(f"live.state.state === 'ready' && live.state.tool.xyz_mm[2] > {z + 29}")
-        self.page.run("document.querySelectorAll('.points button')[1].click()")  # MOVL
-        self.until(f"live.state.state === 'ready' && Math.abs(live.state.tool.xyz_mm[2] - {z}) < 0.05")
+        self.reach(
+            f"live.state.state === 'ready' && live.state.tool.xyz_mm[2] > {z + 29}", lambda: self.click("go-line")
+        )
+        there = f"live.state.state === 'ready' && Math.abs(live.state.tool.xyz_mm[2] - {z}) < 0.05"
+        self.reach(there, lambda: self.press_point(1))  # MOVL
         self.page.run("live.drive.points[0].tool.xyz_mm[1] += 20")  # a via point beside the line
-        self.page.run("document.querySelectorAll('.points button')[3].click()")
+        self.press_point(3)
         self.slide("z", z + 30)
         self.until("!live.hand.asked")
         self.click("teach")
         self.page.run("live.drive.points[1].tool.xyz_mm[2] += 30")
-        self.page.run("document.querySelectorAll('.points button')[6].click()")  # MOVC
-        self.until("live.state.command.startsWith('arc')")
-        self.until(f"live.state.state === 'ready' && Math.abs(live.state.tool.xyz_mm[2] - {z + 30}) < 0.05")
+        self.page.run(
+            "window.arcs = 0; setInterval(() => { window.arcs += live.state.command.startsWith('arc'); }, 10)"
+        )
+        there = f"live.state.state === 'ready' && Math.abs(live.state.tool.xyz_mm[2] - {z + 30}) < 0.05"
+        self.reach(there, lambda: self.press_point(6))  # MOVC
+        self.assertGreater(self.page.run("window.arcs"), 0)
         self.assertEqual(self.page.problems(), [])
 
     def test_the_emergency_stop_and_the_way_out_of_it(self):
@@ -101,8 +102,7 @@ class Live(LivePage):
         process = self.live("pendant_jog")
         self.open(process)
         self.switch_on()
-        self.hold("0+")
-        self.until("live.state.joints_deg[0] > 4")
+        self.hold("0+", "live.state.joints_deg[0] > 4")
         self.mouse("mouseReleased", '[data-jog="0+"]')
         self.wait_for("ready")
         end = self.state("t")
@@ -150,8 +150,7 @@ class Live(LivePage):
         process = self.live("pendant_jog")
         self.open(process)
         self.switch_on()
-        self.hold("0+")
-        self.until("live.state.joints_deg[0] > 1")
+        self.hold("0+", "live.state.joints_deg[0] > 1")
         self.leave()
         self.open(process)
         self.wait_for("ready")
@@ -183,27 +182,27 @@ class Live(LivePage):
         self.page.run("new Promise(done => setTimeout(done, 300))")  # the button is still held
         self.assertEqual(self.state("joints_deg")[0], deg)
         self.mouse("mouseReleased", '[data-jog="0+"]')
-        self.hold("0+")
-        self.until(f"live.state.joints_deg[0] > {deg + 0.5}")
+        self.hold("0+", f"live.state.joints_deg[0] > {deg + 0.5}")
         self.mouse("mouseReleased", '[data-jog="0+"]')
 
     def test_a_second_page_waits_until_the_first_is_closed(self):
         process = self.live("pendant_jog")
         self.open(process)
         self.switch_on()
-        second = self.page.call("Target.createTarget", url=process.address)["targetId"]
-        session = self.page.call("Target.attachToTarget", targetId=second, flatten=True)["sessionId"]
+        target = self.page.call("Target.createTarget", url=process.address)["targetId"]
+        self.addCleanup(self.page.call, "Target.closeTarget", targetId=target)
+        second = self.page.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
 
-        def of_second(script):
-            answer = self.page.call("Runtime.evaluate", session, expression=script, returnByValue=True)
-            return answer["result"].get("value")
+        def until(script):
+            # It may not have loaded yet.
+            told = "JSON.stringify({...(document.body && document.body.dataset)})"
+            self.wait_until(lambda: self.page.is_true(script, second), lambda: str(self.page.is_true(told, second)))
 
-        self.wait_until(lambda: of_second("document.body && document.body.dataset.status") == "busy")
-        self.assertIn("Another page", of_second("document.getElementById('problem').textContent"))
+        until("document.body && document.body.dataset.status === 'busy'")
+        self.assertIn("Another page", self.page.run("document.getElementById('problem').textContent", second))
         self.assertEqual(self.state(), "ready", "the first one goes on")
         self.leave()
-        self.wait_until(lambda: of_second("document.body.dataset.ready") == "yes")
-        self.page.call("Target.closeTarget", targetId=second)
+        until("document.body.dataset.ready === 'yes'")
 
     def test_a_reload_takes_the_arm_again(self):
         self.open(self.live("pendant_jog"))
@@ -285,8 +284,8 @@ class Sliders(LivePage):
         for axis, deg in (("J2", 20), ("J3", 40), ("J4", 20)):
             self.slide(axis, deg)
         self.click("follows")
-        self.slide("J1", 10)
-        self.until("live.state.state === 'ready' && Math.abs(live.state.joints_deg[0] - 10) < 0.02")
+        there = "live.state.state === 'ready' && Math.abs(live.state.joints_deg[0] - 10) < 0.02"
+        self.reach(there, lambda: self.slide("J1", 10))
         self.slide("z", self.state("tool.xyz_mm")[2] + 10)
         z = self.page.run("Number(document.querySelector('[data-axis=\"z\"]').value)")
         self.until(f"live.state.state === 'ready' && Math.abs(live.state.tool.xyz_mm[2] - {z}) < 0.1")

@@ -27,7 +27,7 @@ OPTIONS = (
 )
 PATIENCE_S = 300  # for one answer, on a slow machine
 # How Chromium says that a page was left before its answer.
-GONE = ("navigated or closed", "context was destroyed", "Cannot find context")
+GONE = ("navigated or closed", "context was destroyed", "Cannot find context", "Cannot find default execution context")
 
 
 class PageError(Exception):
@@ -121,9 +121,10 @@ class Browser:
         self.wait_until("document.body && document.body.dataset.ready === 'yes'")
         return self.run("performance.now()") / 1000
 
-    def run(self, script):
-        """The value of an expression in the page."""
-        answer = self.of_page("Runtime.evaluate", expression=script, returnByValue=True, awaitPromise=True)
+    def run(self, script, session=None):
+        """The value of an expression in the page, or in another one by its session."""
+        asked = {"expression": script, "returnByValue": True, "awaitPromise": True}
+        answer = self.call("Runtime.evaluate", session or self.session, **asked)
         if "exceptionDetails" in answer:
             raise PageError(str(answer["exceptionDetails"].get("exception", {}).get("description")))
         return answer["result"].get("value")
@@ -136,9 +137,9 @@ class Browser:
                 raise PageError(f"never true: {script}; {self.problems()}")
             time.sleep(0.02)
 
-    def is_true(self, script):
+    def is_true(self, script, session=None):
         try:
-            return self.run(script)
+            return self.run(script, session)
         except PageGone:
             return False
 
