@@ -49,6 +49,11 @@ struct Times {
   Factor factor;
 };
 
+Clock::duration time_to_wait(const ReversibleSession& session, Pace& pace, Clock::time_point now) {
+  if (session.is_on_the_way()) return Clock::duration::zero();
+  return session.is_looking() ? kFrame : pace.wait(to_seconds(session.now()), now);
+}
+
 }  // namespace
 
 void run_live(ReversibleSession& session, WebServer& server, double pace_factor) {
@@ -60,7 +65,7 @@ void run_live(ReversibleSession& session, WebServer& server, double pace_factor)
     Clock::time_point now = Clock::now();
     if (jumps != session.jumps()) times = Times{pace_factor, now, to_seconds(session.now())};
     jumps = session.jumps();
-    Clock::duration wait = session.is_looking() ? kFrame : times.pace.wait(to_seconds(session.now()), now);
+    Clock::duration wait = time_to_wait(session, times.pace, now);
     if (wait == Clock::duration::zero()) {
       over = !session.advance(session.now() + kLiveSlice);
       now = Clock::now();

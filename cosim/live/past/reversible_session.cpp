@@ -69,6 +69,7 @@ std::string ReversibleSession::ask(const SessionRequest& request, std::string_vi
 }
 
 bool ReversibleSession::advance(Cycles until) {
+  if (way_) follow_way();
   if (looking_) return true;
   if (has_operator() && clock_() - last_message_ > kPatience) leave();
   ask({.kind = Kind::kAdvance, .to = until});
@@ -83,7 +84,8 @@ bool ReversibleSession::advance(Cycles until) {
 }
 
 std::string ReversibleSession::state(double factor) {
-  const Json bar = {{"end_s", to_seconds(end_)}, {"looking", looking_}, {"jumps", jumps_}};
+  const Json bar = {
+      {"end_s", to_seconds(end_)}, {"looking", looking_}, {"on_the_way", way_.has_value()}, {"jumps", jumps_}};
   const std::string state = ask({.kind = Kind::kState, .factor = factor});
   return fmt::format("{{\"bar\":{},{}", bar.dump(), std::string_view{state}.substr(1));
 }
@@ -146,11 +148,16 @@ void ReversibleSession::leave() {
 
 void ReversibleSession::look(double t_s) {
   looking_ = true;
-  go_to(std::min(to_cycles(t_s), end_));
+  then_live_ = false;
+  ++jumps_;
+  way_ = std::min(to_cycles(t_s), end_);
+  if (*way_ < now_) ask({.kind = Kind::kGoBack, .to = *way_});
 }
 
 void ReversibleSession::go_live() {
   if (!looking_) return;
+  then_live_ = way_.has_value();
+  if (then_live_) return;
   looking_ = false;
   ++jumps_;
   told_.resize(next_);
@@ -159,17 +166,21 @@ void ReversibleSession::go_live() {
 }
 
 // All that was told at the end itself belongs to it.
-void ReversibleSession::go_to(Cycles cycle) {
-  ++jumps_;
-  if (cycle < now_) ask({.kind = Kind::kGoBack, .to = cycle});
-  const auto advance_to = [this](Cycles to) {
-    if (to > now_) ask({.kind = Kind::kAdvance, .to = to, .on_the_way = true});
+void ReversibleSession::follow_way() {
+  constexpr Cycles kPart{kClkFreqHz / 25};  // 40 ms: the page is served between two parts
+  const Cycles to = std::min(now_ + kPart, *way_);
+  const bool to_the_end = to == end_;
+  const auto advance_to = [this](Cycles cycle) {
+    if (cycle > now_) ask({.kind = Kind::kAdvance, .to = cycle, .on_the_way = true});
   };
-  while (next_ < told_.size() && (told_[next_].at < cycle || cycle == end_)) {
+  while (next_ < told_.size() && (told_[next_].at < to || to_the_end)) {
     advance_to(told_[next_].at);
     repeat(told_[next_]);
   }
-  advance_to(cycle);
+  advance_to(to);
+  if (to != *way_) return;
+  way_.reset();
+  if (then_live_) go_live();
 }
 
 }  // namespace armature::cosim

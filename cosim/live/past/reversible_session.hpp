@@ -14,6 +14,7 @@
 #include <chrono>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -61,12 +62,14 @@ class ReversibleSession final : public WebApplication {
   [[nodiscard]] Cycles now() const { return now_; }
   // The past is shown. The session does not go on.
   [[nodiscard]] bool is_looking() const { return looking_; }
+  // It is on the way to the moment that will be shown: each advance() goes a part of it.
+  [[nodiscard]] bool is_on_the_way() const { return way_.has_value(); }
   // How often now() has jumped.
   [[nodiscard]] int jumps() const { return jumps_; }
 
   // Continues up to this cycle, if the past is not shown. False when the run is over.
   bool advance(Cycles until);
-  // The message for the page: the state of LiveSession, and `bar`: {"end_s", "looking", "jumps"}.
+  // The message for the page: the state of LiveSession, and `bar`: {"end_s", "looking", "on_the_way", "jumps"}.
   [[nodiscard]] std::string state(double factor);
   // Ends the session where it is. Call it once.
   [[nodiscard]] SessionResult finish();
@@ -89,7 +92,7 @@ class ReversibleSession final : public WebApplication {
   std::string act(std::string_view text);
   void look(double t_s);
   void go_live();
-  void go_to(Cycles cycle);
+  void follow_way();
   void leave();
   [[nodiscard]] bool has_operator() const { return next_ > 0 && !told_[next_ - 1].message.empty(); }
 
@@ -104,6 +107,8 @@ class ReversibleSession final : public WebApplication {
   Cycles written_{};        // when the files were written through
   bool over_ = false;
   bool looking_ = false;
+  std::optional<Cycles> way_;  // its end; only while looking
+  bool then_live_ = false;     // at the end of the way it goes on
   int jumps_ = 0;
   Clock::time_point last_message_{};
 };

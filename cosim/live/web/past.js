@@ -47,7 +47,8 @@ class Past {
     if (this.asked !== null && bar.jumps !== this.asked) this.answered();
     this.bar.max = bar.end_s;
     if (!bar.looking) this.bar.value = bar.end_s;
-    this.text.textContent = bar.looking ? `${t.toFixed(3)} s of ${bar.end_s.toFixed(3)} s` : 'live';
+    const past = `${t.toFixed(3)} s of ${bar.end_s.toFixed(3)} s${bar.on_the_way ? ' …' : ''}`;
+    this.text.textContent = bar.looking ? past : 'live';
     this.live.disabled = !bar.looking;
     this.end.disabled = !bar.looking;
     document.body.dataset.looking = bar.looking ? 'yes' : 'no';

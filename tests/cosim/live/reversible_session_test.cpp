@@ -37,6 +37,7 @@ json shown(LivePage& page) {
 
 void look(LivePage& page, double t_s) {
   EXPECT_EQ(page.ask(R"({"do":"look","t_s":)" + std::to_string(t_s) + "}"), json{});
+  while (page.session.is_on_the_way()) ASSERT_TRUE(page.session.advance(Cycles{}));
 }
 
 // Servo on, a jog, a fault, an input: 1.5 s.
@@ -122,8 +123,11 @@ TEST(ReversibleSession, GoingOnFromTheEndIsAsIfNobodyHadLooked) {
   direct.ask(R"({"do":"input","pin":9})");
   const double end_s = to_seconds(page.session.now());
   look(page, 0.3);
-  look(page, end_s);
-  page.ask(R"({"do":"live"})");
+  page.ask(R"({"do":"look","t_s":)" + std::to_string(end_s) + "}");
+  page.ask(R"({"do":"live"})");  // at the end of the way
+  EXPECT_TRUE(page.session.is_looking());
+  while (page.session.is_on_the_way()) ASSERT_TRUE(page.session.advance(Cycles{}));
+  EXPECT_FALSE(page.session.is_looking());
   for (LivePage* one : {&page, &direct}) one->pass(100);
   EXPECT_EQ(page.session.finish().sha256, direct.session.finish().sha256);
 }
