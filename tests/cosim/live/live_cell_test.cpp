@@ -106,6 +106,7 @@ TEST(LiveCell, WhatWasClickedHappensAgainInTheRunThatRepeatsTheSession) {
     overrides = result.overrides;
   }
   EXPECT_THAT(overrides, testing::ElementsAre(HasSubstr("switch_stuck"), HasSubstr("pin=16,level=1")));
+  EXPECT_THAT(overrides[0], testing::ContainsRegex("\"home\",level=[01],duration_s=0\\.09")) << "held for 96 ms";
   EXPECT_EQ(digest_of_repeated(overrides, file, end), digest);
   EXPECT_NE(digest_of_repeated({}, file, end), digest) << "the clicks change the run";
 }
