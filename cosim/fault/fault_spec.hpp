@@ -240,4 +240,17 @@ struct FaultSpec {
       kind);
 }
 
+// The axis that the fault acts on, 1..6; none: its kind has no axis.
+[[nodiscard]] constexpr std::optional<int> fault_axis(const FaultKind& kind) {
+  return std::visit(
+      []<class Kind>(const Kind& fault) -> std::optional<int> {
+        if constexpr (requires { fault.axis; }) {
+          return fault.axis;
+        } else {
+          return std::nullopt;
+        }
+      },
+      kind);
+}
+
 }  // namespace armature::cosim

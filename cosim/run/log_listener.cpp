@@ -103,6 +103,7 @@ void LogListener::log_facts(const RunFacts& facts) {
   for (const InjectedFault& fault : facts.injected_faults) {
     log_.info("injected fault at {}: {}: {}", moment_text(fault.when), fault_text(fault.spec), answer_text(fault));
   }
+  if (const std::string first = first_fault_text(facts); !first.empty()) log_.info("first fault: {}", first);
   for (const GivenInput& input : facts.inputs) {
     log_.info("input at {}: {}: {}", moment_text(input.when), input_text(input.spec), answer_text(input, names_));
   }

@@ -57,7 +57,7 @@ function faultItems(run) {
   }));
   const seen = result.faults.map((fault) => ({
     from: cycleTime(fault.cycle), label: `fault: ${fault.cause}`, color: '#cf222e',
-    detail: `fault ${fault.cause}${fault.axis ? `, axis ${fault.axis}` : ''}, tick ${fault.tick}`,
+    detail: `fault ${fault.cause}${fault.axis ? `, axis ${fault.axis}` : ''}, tick ${fault.tick}, because of ${fault.because_of}`,
   }));
   return [...injected, ...seen];
 }

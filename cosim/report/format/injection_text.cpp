@@ -4,6 +4,8 @@
 
 #include <variant>
 
+#include "cosim/report/measure/fault_chain.hpp"
+#include "cosim/scenario/fault_text.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/time/clock.hpp"
 
@@ -42,6 +44,26 @@ std::string answer_text(const InjectedFault& fault) {
   return text + fmt::format("the controller reports {}{} after {}", word_of(cause),
                             where.axis == 0 ? std::string{} : fmt::format(" of axis {}", where.axis),
                             latency_text(fault.when.at, where.at));
+}
+
+std::string cause_text(const RunFacts& facts, const RunPlace& report) {
+  std::string text;
+  for (const InjectedFault& fault : causes_of(facts, report)) {
+    text += fmt::format("{}{} {} cycle {}", text.empty() ? "" : ", and ", fault_text(fault.spec),
+                        fault_duration_s(fault.spec.kind) ? "since" : "at", fault.when.at.value());
+    if (fault.ended && *fault.ended <= report.at) text += fmt::format(" to cycle {}", fault.ended->value());
+  }
+  return text.empty() ? "no fault of the scenario" : text;
+}
+
+std::string first_fault_text(const RunFacts& facts) {
+  const std::optional<FirstFault> first = first_fault(facts);
+  if (!first) return {};
+  std::string what = "the servo enables dropped without a report";
+  if (first->what == FirstFault::What::kReported) what = word_of(first->cause);
+  if (first->what == FirstFault::What::kBusError) what = abort_text(facts.bus_aborts.front());
+  if (first->where.axis != 0) what += fmt::format(" of axis {}", first->where.axis);
+  return fmt::format("{} at tick {}: {}", what, first->where.tick, cause_text(facts, first->where));
 }
 
 std::string abort_text(const BusAbortEvent& abort) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cosim/report/measure/injections.hpp"
+#include "cosim/report/measure/run_facts.hpp"
 #include "cosim/scenario/command_names.hpp"
 
 namespace armature::cosim {
@@ -18,6 +19,12 @@ namespace armature::cosim {
 // The response of the system: `500 of 500 pulses lost, corrected by up to 500 pulses, the controller reports no fault`
 [[nodiscard]] std::string answer_text(const InjectedFault& fault);
 [[nodiscard]] std::string answer_text(const GivenInput& input, const CommandNames& names);
+
+// What stopped the arm, and the injected faults behind it: `following_error of axis 4 at tick 6120: encoder_stuck of
+// axis 4, line b = 1 for 1 s since cycle 15300211`. Empty: nothing stopped it.
+[[nodiscard]] std::string first_fault_text(const RunFacts& facts);
+// The part behind the colon, of any report.
+[[nodiscard]] std::string cause_text(const RunFacts& facts, const RunPlace& report);
 
 // `core 0 stopped: read of 0x43C20010 answered SLVERR`
 [[nodiscard]] std::string abort_text(const BusAbortEvent& abort);

@@ -104,6 +104,7 @@ void add_events(std::string& out, const RunFacts& facts) {
   for (const BusAbortEvent& abort : facts.bus_aborts) {
     line(out, "bus error", "{} at {}", abort_text(abort), moment_text(abort.where));
   }
+  if (const std::string first = first_fault_text(facts); !first.empty()) line(out, "first fault", "{}", first);
   if (facts.controller_silent) {
     line(out, "fault", "the servo enables dropped and the controller did not report it");
   } else if (facts.faults.empty()) {

@@ -55,7 +55,7 @@ void RunFactsCollector::on_event(const Event& event, Cycles at) {
                        {.cause = fault.cause, .where = {.tick = facts_.ticks, .at = at, .axis = fault.axis}});
                    injections_.add(facts_.faults.back());
                  },
-                 [](const FaultCleared&) {},
+                 [&](const FaultCleared&) { facts_.resets.push_back(at); },
                  [&](const JogStarted& jog) { facts_.jogs.push_back({.started = jog}); },
                  [&](const JogEnded& jog) { facts_.jogs.back().ended = jog; },
                  [&](const HomingStarted& axis) { facts_.homings.push_back({.started = axis}); },
@@ -135,6 +135,7 @@ void RunFactsCollector::add(const BusAbortEvent& abort) {
 void RunFactsCollector::add_servo_enables(std::uint8_t levels, Cycles at) {
   servo_off_ = levels == 0;
   stopped_ = stopped_ || servo_off_;
+  if (servo_off_) facts_.servo_off_at = RunPlace{.tick = facts_.ticks, .at = at};
   injections_.servo_enables(levels, at);
 }
 

@@ -46,6 +46,8 @@ struct RunFacts {
   std::vector<JogRun> jogs;
   std::vector<HomingRun> homings;
   std::vector<FaultEvent> faults;
+  std::vector<Cycles> resets;              // the controller left Fault
+  std::optional<RunPlace> servo_off_at{};  // the last drop of all servo enables
   std::vector<OtherEvent> other_events;
   std::vector<BusAbortEvent> bus_aborts;
   FaultCause end_fault = FaultCause::kNone;  // kNone: the controller is not in Fault at the end

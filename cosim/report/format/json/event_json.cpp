@@ -159,6 +159,12 @@ Json event_json(const FaultEvent& fault) {
           {"tick", fault.where.tick}};
 }
 
+Json event_json(const FaultEvent& fault, const RunFacts& facts) {
+  Json json = event_json(fault);
+  json["because_of"] = cause_text(facts, fault.where);
+  return json;
+}
+
 Json event_json(const BusAbortEvent& abort) {
   return {{"core", abort.core},
           {"access", abort.write ? "write" : "read"},

@@ -15,6 +15,7 @@ namespace armature::cosim {
 [[nodiscard]] Json event_json(const ProgramEvent& event, const CommandNames& names);
 [[nodiscard]] Json event_json(const OtherEvent& other);
 [[nodiscard]] Json event_json(const FaultEvent& fault);
+[[nodiscard]] Json event_json(const FaultEvent& fault, const RunFacts& facts);  // with its causes
 [[nodiscard]] Json event_json(const BusAbortEvent& abort);
 [[nodiscard]] Json event_json(const InjectedFault& fault);
 [[nodiscard]] Json event_json(const GivenInput& input, const CommandNames& names);

@@ -58,7 +58,10 @@ Json result_json(const RunSummary& summary) {
   result["jogs"] = events_json(facts.jogs, facts.names);
   result["homings"] = events_json(facts.homings, facts.names);
   result["refused_moves"] = events_json(facts.refusals, facts.names);
-  result["faults"] = events_json(facts.faults);
+  result["faults"] = Json::array();
+  for (const FaultEvent& fault : facts.faults) result["faults"].push_back(event_json(fault, facts));
+  const std::string first = first_fault_text(facts);
+  result["first_fault"] = first.empty() ? Json(nullptr) : Json(first);
   // Only new kinds of events are here, so that most summaries do not have the key.
   for (const OtherEvent& other : facts.other_events) result["events"].push_back(event_json(other));
   result["bus_aborts"] = events_json(facts.bus_aborts);
