@@ -12,7 +12,7 @@ enum class FaultCause : std::uint8_t {
   kNone,
   kEstop,
   kWatchdog,        // the logic counted too many ticks without a commit
-  kFollowingError,  // an axis is farther from its set-point than its following-error limit
+  kFollowingError,  // an axis is farther from its set-point, or from where its drive would be, than its limit
   kDriveAlarm,
   kEncoder,      // illegal transitions, an index mismatch, or lines that were never stable: the position is not valid
   kLimitSwitch,  // the axis moves towards an active limit switch
@@ -20,6 +20,8 @@ enum class FaultCause : std::uint8_t {
   kDrivesOff,    // no fault of the arm: a SwitchOff, or the controller starts with its drives off
   kClock,        // no trigger came for 1.5 ticks: the clock of the logic or its timer stood still
   kInverseKinematics,  // the logic solved a pose, and its joint angles are not those of the software
+  kEncoderSpeed,  // an encoder is faster than the limit of its axis
+  kEncoderAccel,  // an encoder changes its speed faster than the limit of its axis
 };
 
 struct Faulted {

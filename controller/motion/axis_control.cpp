@@ -1,6 +1,7 @@
 #include "controller/motion/axis_control.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace armature {
 namespace {
@@ -15,6 +16,10 @@ Pulses largest_count(const AxisUnits& units) {
 AxisControl::AxisControl(const AxisModel& model, bool feedback) noexcept
     : units_{model},
       following_error_limit_rad_{model.following_error_limit_rad},
+      max_deviation_{model.following_error_at_rest_rad > 0.0
+                         ? std::fabs(units_.to_exact_pulses(Radians{model.following_error_at_rest_rad}))
+                         : std::numeric_limits<double>::infinity()},
+      checks_deviation_{model.following_error_at_rest_rad > 0.0},
       feedback_on_{feedback},
       quantizer_{largest_count(units_)},
       feedback_{model, units_} {}

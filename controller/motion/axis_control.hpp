@@ -34,14 +34,22 @@ class AxisControl {
     direction_ = (reference > reference_) - (reference < reference_);
     reference_ = reference;
     reference_pulses_ = units_.to_pulses(reference);
-    if (feedback_on_) correction_ = feedback_.correct(measured, step);
+    if (feedback_on_) {
+      correction_ = feedback_.correct(measured, step);
+    } else if (checks_deviation_) {
+      feedback_.observe(measured);
+    }
     return quantizer_.next(reference_pulses_ + correction_);
   }
 
-  // True when `measured` is farther from the last set-point than the axis' following-error limit.
+  // True when `measured` is farther from the last set-point than the axis' following-error limit, or was farther from
+  // where the drive would be in the last next().
   [[nodiscard]] bool following_error(Counts measured) const noexcept {
-    return std::fabs((reference_ - actual(measured)).value()) > following_error_limit_rad_;
+    return std::fabs((reference_ - actual(measured)).value()) > following_error_limit_rad_ ||
+           feedback_.deviation() > max_deviation_;
   }
+  // The encoder has left the drive's nominal motion, by however little: its counts are not certain.
+  [[nodiscard]] bool deviates() const noexcept { return feedback_.deviates(); }
   // Joint direction in which the last set-point moved: -1, 0 or 1.
   [[nodiscard]] int direction() const noexcept { return direction_; }
 
@@ -56,6 +64,8 @@ class AxisControl {
  private:
   AxisUnits units_;
   double following_error_limit_rad_;
+  double max_deviation_;  // [pulses]; infinity: not checked
+  bool checks_deviation_;
   bool feedback_on_;
   PulseQuantizer quantizer_;
   Feedback feedback_;

@@ -13,12 +13,10 @@ namespace {
 // needs a wider dead band.
 constexpr double kLossFilterSeconds = 0.002;
 constexpr double kLossShare = kTickSeconds / kLossFilterSeconds;
-// Dead band as a share of the lag's peak, and how much slower than the drive the peak decays. Found by simulation: the
-// smallest round values that keep the correction at 0 for bandwidths 20 % off in either direction, with margin.
-constexpr double kBandOfLag = 0.6;
+// How much slower than the drive the peak of the lag decays. With the dead band found by simulation: the smallest round
+// values that keep the correction at 0 for bandwidths 20 % off in either direction, with margin.
 constexpr double kPeakDecayOfNatural = 0.33;
-// A correction starts above the first and ends below the second, in counts or pulses, whichever is coarser.
-constexpr double kStartBand = 1.25;
+// A correction ends below this, in counts or pulses, whichever is coarser.
 constexpr double kEndBand = 0.25;
 
 }  // namespace

@@ -9,6 +9,8 @@
 // the band shrinks to the resolution of an incremental encoder, one count.
 #pragma once
 
+#include <cmath>
+
 #include "controller/base/units.hpp"
 #include "controller/motion/drive_model.hpp"
 #include "controller/robot/axis_units.hpp"
@@ -33,8 +35,23 @@ class Feedback {
   // the correction uses the rest of the axis' speed limit. Call once per tick.
   [[nodiscard]] Pulses correct(Counts measured, double reference_step) noexcept;
 
- private:
+  // Open loop, instead of correct(): only the deviation is measured.
   void observe(Counts measured) noexcept;
+
+  // How far the encoder is from where the nominal drive would be, less what a real drive may deviate [pulses].
+  [[nodiscard]] double deviation() const noexcept {
+    return std::fabs(loss_ - correction_) - kBandOfLag * lag_peak_;
+  }
+  // More than what the feedback leaves alone.
+  [[nodiscard]] bool deviates() const noexcept { return deviation() > kStartBand * resolution_; }
+
+ private:
+  // The dead band as a share of the peak of the lag. A quarter of the lag is the deviation of a drive whose bandwidth
+  // is 20 % too low.
+  static constexpr double kBandOfLag = 0.6;
+  // A correction starts with more than this beyond the band [counts].
+  static constexpr double kStartBand = 1.25;
+
   void slew(double distance, double reference_step) noexcept;
 
   AxisUnits units_;

@@ -15,6 +15,8 @@ constexpr Ticks kStandstill{100};
 
 // The core waits at most a tick for a trigger.
 constexpr Cycles kLongestWait{kTickCycles.value() * 3 / 2};
+// From tick to tick, besides the ticks that the logic counts as underruns: two, and what may vary.
+constexpr Cycles kLongestTick{kTickCycles.value() * 5 / 2};
 
 std::uint8_t first_axis(std::uint8_t mask) {
   return static_cast<std::uint8_t>(std::countr_zero(mask) + 1);
@@ -35,13 +37,18 @@ MotionLoop::MotionLoop(const RobotModel& robot, bool feedback, LogicPort& logic,
       })},
       source_{source},
       inverse_{inverse},
-      referenced_{referenced ? PulseTrain::kAllAxes : std::uint8_t{0}} {}
+      referenced_{referenced ? PulseTrain::kAllAxes : std::uint8_t{0}},
+      monitor_{robot} {}
 
 void MotionLoop::run() noexcept {
   start();
-  for (Cycles waits_since = bus_.now(); bus_.wait_for_interrupt(Interrupts::kTimer) != Interrupts::kNone;
+  woke_ = bus_.now();
+  for (Cycles waits_since = woke_; bus_.wait_for_interrupt(Interrupts::kTimer) != Interrupts::kNone;
        waits_since = bus_.now()) {
-    trigger_late_ = bus_.now() - waits_since > kLongestWait;
+    const Cycles now = bus_.now();
+    trigger_late_ = now - waits_since > kLongestWait;
+    since_wake_ = now - woke_;
+    woke_ = now;
     bus_.charge(Work::kInterruptEntry);
     logic_.acknowledge();
     tick();
@@ -82,6 +89,11 @@ void MotionLoop::tick() noexcept {
     tick_in_fault(input);
   } else {
     account_for_emission(input);
+    if (input.new_underruns == 0) {
+      monitor_.observe(input.encoder);
+    } else {  // more than a tick since the last one
+      monitor_.restart(input.encoder);
+    }
     if (const Finding finding = find_fault(input); finding.cause != FaultCause::kNone) {
       enter_fault(finding);
     } else if (source_.take_order() == SetPointSource::Order::kSwitchOff) {
@@ -109,12 +121,16 @@ void MotionLoop::account_for_emission(const LogicInput& input) noexcept {
 MotionLoop::Finding MotionLoop::find_fault(const LogicInput& input) const noexcept {
   if (input.status.estop) return {FaultCause::kEstop};
   if (input.status.watchdog) return {FaultCause::kWatchdog};
-  if (trigger_late_) return {FaultCause::kClock};
+  if (stood_still(input)) return {FaultCause::kClock};
   if (inverse_ != nullptr && inverse_->differs) return {FaultCause::kInverseKinematics, inverse_->differing_axis};
   if (input.drives.alarm != 0) return {FaultCause::kDriveAlarm, first_axis(input.drives.alarm)};
   if (input.encoder_faults.any()) {
     return {FaultCause::kEncoder, first_axis(input.encoder_faults.illegal | input.encoder_faults.index)};
   }
+  return find_axis_fault(input);
+}
+
+MotionLoop::Finding MotionLoop::find_axis_fault(const LogicInput& input) const noexcept {
   for (std::uint8_t axis = 0; axis < kAxes; ++axis) {
     const AxisControl& control = axes_[axis];
     const auto number = static_cast<std::uint8_t>(axis + 1);
@@ -127,7 +143,36 @@ MotionLoop::Finding MotionLoop::find_fault(const LogicInput& input) const noexce
     const bool always_counted = ((input.always_counted >> axis) & 1u) != 0;
     if (always_counted && control.following_error(input.encoder[axis])) return {FaultCause::kFollowingError, number};
   }
+  if (const auto axes = static_cast<std::uint8_t>(monitor_.too_fast() & input.always_counted); axes != 0) {
+    return {FaultCause::kEncoderSpeed, first_axis(axes)};
+  }
+  if (const auto axes = static_cast<std::uint8_t>(monitor_.too_hard() & input.always_counted); axes != 0) {
+    return {FaultCause::kEncoderAccel, first_axis(axes)};
+  }
   return {};
+}
+
+// The logic counts the ticks that a late core misses. That of Vo 2021 does not.
+bool MotionLoop::stood_still(const LogicInput& input) const noexcept {
+  const bool counts_ticks = input.always_counted == PulseTrain::kAllAxes;
+  return trigger_late_ ||
+         (counts_ticks && since_wake_ > kLongestTick + Cycles{kTickCycles.value() * std::int64_t{input.new_underruns}});
+}
+
+// Those whose decoder may have lost counts. While the logic stood still, it has not counted.
+std::uint8_t MotionLoop::uncounted_motion(const LogicInput& input) const noexcept {
+  const unsigned flags = input.encoder_faults.illegal | input.encoder_faults.index;
+  return static_cast<std::uint8_t>((stood_still(input) ? PulseTrain::kAllAxes : flags) & input.always_counted);
+}
+
+// Those whose encoder may be false.
+std::uint8_t MotionLoop::untrusted_axes(const LogicInput& input) const noexcept {
+  unsigned axes = uncounted_motion(input) | monitor_.too_fast() | monitor_.too_hard();
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    const AxisControl& control = axes_[axis];
+    if (control.deviates() || control.following_error(input.encoder[axis])) axes |= 1u << axis;
+  }
+  return static_cast<std::uint8_t>(axes & input.always_counted);
 }
 
 void MotionLoop::follow_source(const LogicInput& input) noexcept {
@@ -161,6 +206,7 @@ void MotionLoop::shift_positions(const SetPoint& located) noexcept {
     logic_.shift_position(axis, located.shift[axis]);
     axes_[axis].restart(axes_[axis].committed(), logic_.last().encoder[axis]);
   }
+  monitor_.restart(logic_.last().encoder);
   referenced_ = static_cast<std::uint8_t>(referenced_ | axes);
   reset_source();
 }
@@ -171,6 +217,7 @@ void MotionLoop::enter_fault(const Finding& finding) noexcept {
   telemetry_.state = MotionState::kFault;
   telemetry_.fault = finding.cause;
   telemetry_.fault_axis = finding.axis;
+  referenced_ = static_cast<std::uint8_t>(referenced_ & ~untrusted_axes(logic_.last()));
   clearing_ = false;
   still_ = Ticks{0};
   source_.cut_short(telemetry_.tick);
@@ -179,6 +226,7 @@ void MotionLoop::enter_fault(const Finding& finding) noexcept {
 
 void MotionLoop::tick_in_fault(const LogicInput& input) noexcept {
   update_standstill(input.encoder);
+  referenced_ = static_cast<std::uint8_t>(referenced_ & ~uncounted_motion(input));
   // Only the logic knows how many of the pulses committed before the fault were emitted.
   const PerAxis<Pulses>& emitted = logic_.emitted();
   for (std::size_t axis = 0; axis < kAxes; ++axis) axes_[axis].set_committed(emitted[axis]);
@@ -227,6 +275,7 @@ void MotionLoop::restart_axes() noexcept {
   const PerAxis<Pulses>& emitted = logic_.emitted();
   for (std::size_t axis = 0; axis < kAxes; ++axis)
     axes_[axis].restart(emitted[axis], standstill_position(axis, emitted[axis]));
+  monitor_.restart(logic_.last().encoder);
   reset_source();
 }
 

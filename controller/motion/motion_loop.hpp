@@ -9,10 +9,13 @@
 // late; the excess is corrected later (paper_logic_port.hpp).
 //
 // A late core does not wait for the trigger. So a long wait means that the logic stood still, clock or timer: all pins
-// kept their levels meanwhile, and an emergency stop had no effect. The loop reports this when it continues (kClock).
+// kept their levels meanwhile, and an emergency stop had no effect. The loop reports this when it continues (kClock). If
+// the core waited for the bus then, only the time since the trigger before shows it: it is longer than the ticks that
+// the logic has counted.
 //
 // States: Idle <-> Moving <-> Holding, both -> Stopping -> Idle; each -> Fault -> Idle (Order::kClearFault). In
-// Fault empty sets are committed and the drives are off. The source of set-points (motion_source.hpp) determines the
+// Fault empty sets are committed and the drives are off. An axis whose encoder was at fault, or has left the motion of
+// its drive, is not referenced any more: its position may be false. The source of set-points (motion_source.hpp) determines the
 // motion.
 #pragma once
 
@@ -22,6 +25,7 @@
 #include "controller/motion/axis_control.hpp"
 #include "controller/motion/controller_observer.hpp"
 #include "controller/motion/emission.hpp"
+#include "controller/motion/encoder_monitor.hpp"
 #include "controller/motion/inverse_check.hpp"
 #include "controller/motion/logic_port.hpp"
 #include "controller/motion/loop_channel.hpp"
@@ -54,6 +58,10 @@ class MotionLoop {
   void tick() noexcept;
   void account_for_emission(const LogicInput& input) noexcept;
   [[nodiscard]] Finding find_fault(const LogicInput& input) const noexcept;
+  [[nodiscard]] Finding find_axis_fault(const LogicInput& input) const noexcept;
+  [[nodiscard]] bool stood_still(const LogicInput& input) const noexcept;
+  [[nodiscard]] std::uint8_t uncounted_motion(const LogicInput& input) const noexcept;
+  [[nodiscard]] std::uint8_t untrusted_axes(const LogicInput& input) const noexcept;
 
   void follow_source(const LogicInput& input) noexcept;
   void shift_positions(const SetPoint& located) noexcept;
@@ -81,7 +89,10 @@ class MotionLoop {
   InverseCheck* inverse_;
   Telemetry telemetry_{};
   std::uint8_t referenced_;    // mask of axes whose joint angles are known
+  EncoderMonitor monitor_;
   bool trigger_late_ = false;  // the core waited longer than kLongestWait for the present tick
+  Cycles woke_{};              // at the present tick
+  Cycles since_wake_{};        // from the one before
   bool clearing_ = false;      // in Fault: the latches were cleared, the result is known in the next tick
   PerAxis<Counts> still_position_{};
   Ticks still_{};

@@ -51,6 +51,15 @@ struct AxisModel {
   // lag.
   double following_error_limit_rad = 0.0;
 
+  // The same when the encoder is farther from where the nominal drive would be, with its lag, than this and a share of
+  // the lag (feedback.hpp). 0: not checked.
+  double following_error_at_rest_rad = 0.0;
+
+  // The motion loop enters Fault when the encoder moves faster, or changes its speed faster (encoder_monitor.hpp). 0:
+  // not checked.
+  double encoder_speed_rad_s = 0.0;
+  double encoder_accel_rad_s2 = 0.0;
+
   // The drive's nominal position loop, from which the feedback computes the lag: natural frequency and damping ratio.
   double drive_natural_rad_s = 0.0;
   double drive_damping = 1.0;
@@ -83,6 +92,9 @@ struct AxisModel {
                          {&max_accel_rad_s2, is_at_least_0(max_accel_rad_s2)},
                          {&max_jerk_rad_s3, is_at_least_0(max_jerk_rad_s3)},
                          {&following_error_limit_rad, is_at_least_0(following_error_limit_rad)},
+                         {&following_error_at_rest_rad, is_at_least_0(following_error_at_rest_rad)},
+                         {&encoder_speed_rad_s, is_at_least_0(encoder_speed_rad_s)},
+                         {&encoder_accel_rad_s2, is_at_least_0(encoder_accel_rad_s2)},
                          {&drive_natural_rad_s, is_at_least_0(drive_natural_rad_s)},
                          {&drive_damping, is_at_least_0(drive_damping)},
                          {&dir_setup_cycles, dir_setup_cycles >= 0 && dir_setup_cycles <= kMaxDirCycles},
@@ -91,7 +103,8 @@ struct AxisModel {
                          {&min_step_low_cycles, min_step_low_cycles >= 0}});
   }
   ARMATURE_MEMBERS(AxisModel, gear_ratio, pulses_per_rev, counts_per_rev, min_rad, max_rad, max_speed_rad_s,
-                   max_accel_rad_s2, max_jerk_rad_s3, following_error_limit_rad, drive_natural_rad_s, drive_damping,
+                   max_accel_rad_s2, max_jerk_rad_s3, following_error_limit_rad, following_error_at_rest_rad,
+                   encoder_speed_rad_s, encoder_accel_rad_s2, drive_natural_rad_s, drive_damping,
                    dir_setup_cycles, dir_hold_cycles, min_step_high_cycles, min_step_low_cycles, homing)
 };
 

@@ -30,6 +30,9 @@ class AxiLiteMaster {
   // response in the cycle in which the core receives it.
   std::optional<BusResponse> step(Cycles now, const AxiSlavePins& slave);
 
+  // The clock of the logic stood still for this time, which is no delay of the slave.
+  void stood_still(Cycles time) { started_ += time; }
+
   // Pins for the coming edge.
   [[nodiscard]] const AxiMasterPins& pins() const { return pins_; }
 

@@ -53,6 +53,8 @@ class ModelSoc final : public Soc {
 
   void set_clock_running(bool running) override {
     if (!running && access_) show_handshakes();
+    if (running && !clock_running_) master_.stood_still(stood_ - stood_before_);
+    if (!running) stood_before_ = stood_;
     clock_running_ = running;
   }
 
@@ -229,7 +231,8 @@ class ModelSoc final : public Soc {
   std::optional<BusResponse> response_;
   bool quick_;
   bool clock_running_ = true;
-  Cycles stood_{};  // cycles without an edge
+  Cycles stood_{};         // cycles without an edge
+  Cycles stood_before_{};  // at the begin of the stop under way
   PinTrace wave_;
   std::conditional_t<std::is_same_v<Variant, CountsVariant>, LogicMotion, std::monostate> motion_{motion_of(logic_)};
 };

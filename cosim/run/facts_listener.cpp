@@ -5,12 +5,14 @@
 #include "controller/base/overloaded.hpp"
 #include "cosim/run/bus_abort_event.hpp"
 #include "cosim/scenario/command_names.hpp"
+#include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
 
 FactsListener::FactsListener(const Scenario& scenario, SentBytes sent_bytes)
     : facts_{scenario.robot, scenario.expect.settled_counts, scenario.conveyor, CommandNames{scenario}},
       sent_bytes_{sent_bytes} {
+  if (scenario.drop_out_us) facts_.set_drop_out(to_cycles(*scenario.drop_out_us * 1e-6));
   if (scenario.robot.kinematics) tool_.emplace(scenario);
 }
 

@@ -27,6 +27,12 @@ bool PinSoc::advance(Cycles limit, StopOn stop_on) {
   return false;
 }
 
+void PinSoc::set_clock_running(bool running) {
+  if (running && !clock_running_) master_.stood_still(now() - stopped_at_);
+  if (!running) stopped_at_ = now();
+  clock_running_ = running;
+}
+
 std::optional<Cycles> PinSoc::start(const BusRequest& request) {
   master_.start(request, now());
   return std::nullopt;

@@ -19,7 +19,7 @@ class PinSoc final : public Soc {
 
   [[nodiscard]] Cycles now() const override { return fabric_->cycle(); }
   bool advance(Cycles limit, StopOn stop_on) override;
-  void set_clock_running(bool running) override { clock_running_ = running; }
+  void set_clock_running(bool running) override;
   void stop_clock_of(ClockGroup group) override { fabric_->stop_clock_of(group); }
 
   [[nodiscard]] bool idle() const override { return master_.idle() && !response_; }
@@ -45,6 +45,7 @@ class PinSoc final : public Soc {
   std::optional<BusResponse> response_;  // not popped yet
   Cycles access_timeout_;
   bool clock_running_ = true;
+  Cycles stopped_at_{};  // of a clock that does not run
 };
 
 }  // namespace armature::cosim

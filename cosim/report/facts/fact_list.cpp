@@ -148,6 +148,10 @@ std::vector<Fact> make_list() {
      .meaning = "Cause of the last drop of the servo enables. `null`: they did not drop",
      .value = stopped_by,
      .expectations = {equal<&E::stopped_by>("stopped_by")}, .in_words = stopped_by_text, .where = at_faults},
+    {.name = "missed_stop", .unit = "",
+     .meaning = "The first stop that was demanded and after which the servo enables stayed on for more than 1 ms, or for a "
+                "tick more than `drop_out_us` if that is longer. Such a run never passes. `null`: there was none",
+     .value = missed_stop, .where = at_missed_stop, .otherwise = {{std::string{"none"}, "none, in any run"}}},
     {.name = "faults", .unit = "", .meaning = "Causes of all faults that the controller reported, in the order of time",
      .value = fault_causes, .group = FactGroup::kEvents,
      .expectations = {equal<&E::faults>("faults")}, .where = at_faults},

@@ -60,6 +60,11 @@ FactWhere at_faults(const RunFacts& facts) {
   return where;
 }
 
+FactWhere at_missed_stop(const RunFacts& facts) {
+  const std::optional<DemandedStop> stop = facts.missed_stop();
+  return stop ? at_place(stop->where) : FactWhere{};
+}
+
 FactWhere at_unanswered_faults(const RunFacts& facts) {
   FactWhere where;
   for (const InjectedFault& fault : facts.injected_faults) {

@@ -122,6 +122,15 @@ std::string stopped_by_text(const RunFacts& facts) {
   return facts.stopped_by.empty() ? "no stop" : facts.stopped_by;
 }
 
+FactValue missed_stop(const RunFacts& facts) {
+  const std::optional<DemandedStop> stop = facts.missed_stop();
+  if (!stop) return {};
+  return fmt::format("the stop by {}: {}", stop->by,
+                     stop->executed ? fmt::format("the servos were on for {:.3f} ms",
+                                                  to_seconds(*stop->executed - stop->where.at) * 1e3)
+                                    : std::string{"the servos stay on"});
+}
+
 FactValue fault_causes(const RunFacts& facts) {
   std::vector<std::string> names;
   for (const FaultEvent& fault : facts.faults) names.emplace_back(word_of(fault.cause));

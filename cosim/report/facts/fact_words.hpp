@@ -18,6 +18,7 @@ namespace armature::cosim {
 [[nodiscard]] FactValue taken_ticks(const RunFacts& facts);
 [[nodiscard]] FactValue first_profile(const RunFacts& facts);
 [[nodiscard]] FactValue stopped_by(const RunFacts& facts);
+[[nodiscard]] FactValue missed_stop(const RunFacts& facts);
 [[nodiscard]] FactValue fault_causes(const RunFacts& facts);
 [[nodiscard]] FactValue serial_sent(const RunFacts& facts);
 

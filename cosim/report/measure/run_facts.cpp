@@ -1,7 +1,9 @@
 #include "cosim/report/measure/run_facts.hpp"
 
 #include <algorithm>
+#include <string>
 #include <utility>
+#include <variant>
 
 #include "controller/base/angle_units.hpp"
 #include "controller/base/overloaded.hpp"
@@ -54,6 +56,7 @@ void RunFactsCollector::on_event(const Event& event, Cycles at) {
                    facts_.faults.push_back(
                        {.cause = fault.cause, .where = {.tick = facts_.ticks, .at = at, .axis = fault.axis}});
                    injections_.add(facts_.faults.back());
+                   facts_.stops.demand(std::string{word_of(fault.cause)}, facts_.faults.back().where);
                  },
                  [&](const FaultCleared&) { facts_.resets.push_back(at); },
                  [&](const JogStarted& jog) { facts_.jogs.push_back({.started = jog}); },
@@ -127,7 +130,13 @@ void RunFactsCollector::add(OutputChange change) {
   facts_.outputs.push_back(change);
 }
 
+void RunFactsCollector::add(const FaultSpec& fault, const RunPlace& when) {
+  injections_.add(fault, when);
+  if (std::holds_alternative<Estop>(fault.kind)) facts_.stops.demand("estop", when);
+}
+
 void RunFactsCollector::add(const BusAbortEvent& abort) {
+  if (abort.core == 0) facts_.stops.demand("core 0 stopped", abort.where);
   injections_.add(abort);
   facts_.bus_aborts.push_back(abort);
 }
@@ -135,6 +144,7 @@ void RunFactsCollector::add(const BusAbortEvent& abort) {
 void RunFactsCollector::add_servo_enables(std::uint8_t levels, Cycles at) {
   servo_off_ = levels == 0;
   stopped_ = stopped_ || servo_off_;
+  facts_.stops.servo_enables(levels, at);
   if (servo_off_) facts_.servo_off_at = RunPlace{.tick = facts_.ticks, .at = at};
   injections_.servo_enables(levels, at);
 }

@@ -12,6 +12,7 @@
 #include "controller/base/units.hpp"
 #include "controller/message/event.hpp"
 #include "controller/message/telemetry.hpp"
+#include "cosim/report/measure/demanded_stops.hpp"
 #include "cosim/report/measure/injections.hpp"
 #include "cosim/report/measure/path_error.hpp"
 #include "cosim/report/measure/run_events.hpp"
@@ -52,6 +53,7 @@ struct RunFacts {
   std::vector<BusAbortEvent> bus_aborts;
   FaultCause end_fault = FaultCause::kNone;  // kNone: the controller is not in Fault at the end
   bool controller_silent = false;            // servo enables are low at the end, and the controller is not in Fault
+  DemandedStops stops;
   std::string stopped_by;                    // the last cause (kCauses) why servo enables dropped; or empty
   std::int64_t moves_finished = 0;           // of those started
   // Of the moves of the scenario and its commands for pins of the tool, at the end of the run. A waiting command
@@ -151,6 +153,8 @@ struct RunFacts {
   // Triggers that the simulated time has room for and that did not come.
   [[nodiscard]] std::int64_t missing_ticks() const;
   [[nodiscard]] std::int64_t unanswered_faults() const;
+  // A stop that was demanded and not executed in time.
+  [[nodiscard]] std::optional<DemandedStop> missed_stop() const { return stops.missed(cycles); }
   [[nodiscard]] std::string_view outcome() const;    // one of outcomes()
   [[nodiscard]] std::string_view bus_error() const;  // of the first abort, one of kBusErrorNames
   [[nodiscard]] double simulated_s() const;
@@ -170,12 +174,15 @@ class RunFactsCollector {
   void add(OutputChange change);
   void add_servo_enables(std::uint8_t levels, Cycles at);  // those at the drives changed
   // An action of the scenario on the system.
-  void add(const FaultSpec& fault, const RunPlace& when) { injections_.add(fault, when); }
+  void add(const FaultSpec& fault, const RunPlace& when);
   void add(const InputSpec& input, const RunPlace& when) { injections_.add(input, when); }
   void add(const BusAbortEvent& abort);
   void end(const FaultSpec& fault, Cycles at) { injections_.end(fault, at); }
   // The controller sends a byte, or a break, on the serial line.
   void add_serial(std::uint8_t byte, bool error, bool is_break);
+
+  // The relay of the servo power opens after this time.
+  void set_drop_out(Cycles time) { facts_.stops.set_drop_out(time); }
 
   // The facts of all rows so far.
   [[nodiscard]] RunFacts facts() const;

@@ -27,6 +27,7 @@ RunPlace place_of(const TraceRow& row, std::size_t axis) {
 
 void RunFactsCollector::add(const TraceRow& row) {
   const RunPlace here{.tick = row.tick, .at = Cycles{row.cycle}};
+  facts_.stops.row(here);
   const RowNews news = add_axes(row);
   if (news.reference_moved) {
     facts_.moved = true;

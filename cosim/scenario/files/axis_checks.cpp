@@ -134,6 +134,20 @@ std::optional<Failure> check_lag(const AxisSpec& axis) {
                                                          number_text(axis.following_error_deg)};
 }
 
+std::optional<Failure> check_monitor(const std::optional<double>& limit, double of_moves, std::string_view name) {
+  if (!limit || *limit > of_moves) return std::nullopt;
+  return Failure{of_moves / *limit, "expected more than " + std::string{name} + " = " + number_text(of_moves) +
+                                        ", found " + number_text(*limit)};
+}
+
+std::optional<Failure> check_encoder_speed(const AxisSpec& axis) {
+  return check_monitor(axis.encoder_speed_limit_deg_s, axis.max_speed_deg_s, "max_speed_deg_s");
+}
+
+std::optional<Failure> check_encoder_accel(const AxisSpec& axis) {
+  return check_monitor(axis.encoder_accel_limit_deg_s2, axis.max_accel_deg_s2, "max_accel_deg_s2");
+}
+
 std::optional<Failure> check_stiffness(const AxisSpec& axis) {
   if (!axis.dynamics) return std::nullopt;
   const double most =
@@ -165,6 +179,8 @@ const std::vector<Check>& checks() {
       {{"max_speed_deg_s", "encoder_lines", "gear_ratio"}, check_count_rate},
       {{"max_accel_deg_s2", "drive.max_torque_nm", "drive.inertia_kg_m2", "gear_ratio"}, check_torque},
       {{"following_error_deg", "drive.natural_hz", "drive.damping", "max_speed_deg_s"}, check_lag},
+      {{"encoder_speed_limit_deg_s", "max_speed_deg_s"}, check_encoder_speed},
+      {{"encoder_accel_limit_deg_s2", "max_accel_deg_s2"}, check_encoder_accel},
       {{"dynamics.stiffness_nm_rad", "dynamics.rotor_inertia_kg_m2", "gear_ratio"}, check_stiffness},
       {{"drive.inertia_kg_m2", "dynamics.rotor_inertia_kg_m2", "drive.natural_hz", "drive.damping"}, check_speed_loop},
   };

@@ -102,6 +102,19 @@ const KeyTable<AxisSpec>& axis_keys() {
               key("following_error_deg", &AxisSpec::following_error_deg, above(0, 360, "deg"),
                   "Largest allowed difference between reference and encoder. A larger one is the fault "
                   "`following_error`. Must be more than the lag of the drive."),
+              key("following_error_at_rest_deg", &AxisSpec::following_error_at_rest_deg, above(0, 360, "deg"),
+                  "Largest allowed difference between the encoder and where the drive would be with its nominal lag, "
+                  "`natural_hz` and `damping`, while the axis rests. In motion, 0.6 times the lag is added. A larger "
+                  "one is the fault `following_error`, long before `following_error_deg` is reached.")
+                  .without("only `following_error_deg` is checked"),
+              key("encoder_speed_limit_deg_s", &AxisSpec::encoder_speed_limit_deg_s, above(0, 1'000'000, "deg/s"),
+                  "A higher speed of the encoder, as the mean of 1 ms, is the fault `encoder_speed`. Must be more than "
+                  "`max_speed_deg_s`.")
+                  .without("not checked"),
+              key("encoder_accel_limit_deg_s2", &AxisSpec::encoder_accel_limit_deg_s2, above(0, 1e9, "deg/s^2"),
+                  "A higher acceleration of the encoder, between the means of two times 5 ms, is the fault "
+                  "`encoder_accel`. Must be more than `max_accel_deg_s2`.")
+                  .without("not checked"),
               key("home_switch_deg", &AxisSpec::home_switch_deg, between(-kMaxDeg, kMaxDeg, "deg"),
                   "The home switch of the joint is active between these two joint angles.")
                   .without("no home switch"),

@@ -224,6 +224,7 @@ struct FaultCase {
   std::uint8_t axis;
   void (*provoke)(test::ModelLogic&);
   void (*remove)(test::ModelLogic&);
+  bool unhomed = false;  // the axis is not referenced afterwards
 };
 
 constexpr RegAddr kEncoderFault = test::ModelLogic::kEncoder + regs::encoder::kFaultOffset;
@@ -235,20 +236,20 @@ const FaultCase kFaultCases[] = {
     {"DriveAlarm", FaultCause::kDriveAlarm, 4, [](test::ModelLogic& logic) { logic.pins.drive_alarm = 0b001000; },
      [](test::ModelLogic& logic) { logic.pins.drive_alarm = 0; }},
     {"IllegalTransition", FaultCause::kEncoder, 2,
-     [](test::ModelLogic& logic) { logic.planted.plant(kEncoderFault, 0b000010); }, nothing},
+     [](test::ModelLogic& logic) { logic.planted.plant(kEncoderFault, 0b000010); }, nothing, true},
     {"IndexMismatch", FaultCause::kEncoder, 6,
-     [](test::ModelLogic& logic) { logic.planted.plant(kEncoderFault, 0b100000 << 8); }, nothing},
+     [](test::ModelLogic& logic) { logic.planted.plant(kEncoderFault, 0b100000 << 8); }, nothing, true},
     {"PositiveLimit", FaultCause::kLimitSwitch, 1, [](test::ModelLogic& logic) { logic.pins.limit_pos = 0b000001; },
      nothing},
     {"NegativeLimit", FaultCause::kLimitSwitch, 2, [](test::ModelLogic& logic) { logic.pins.limit_neg = 0b000010; },
      nothing},
     {"FollowingError", FaultCause::kFollowingError, 3, [](test::ModelLogic& logic) { logic.drives[2].stuck = true; },
-     [](test::ModelLogic& logic) { logic.drives[2].stuck = false; }},
+     [](test::ModelLogic& logic) { logic.drives[2].stuck = false; }, true},
 };
 
 class MotionLoopFaults : public testing::TestWithParam<FaultCase> {};
 
-TEST_P(MotionLoopFaults, StopsTheArmAndStaysUntilClearedThenMovesAgain) {
+TEST_P(MotionLoopFaults, StopsTheArmUntilClearedThenMovesAgainIfItsPositionIsTrue) {
   const FaultCase& param = GetParam();
   ControllerRig rig;
   rig.move_at(0, kFigure9Deg);
@@ -263,10 +264,9 @@ TEST_P(MotionLoopFaults, StopsTheArmAndStaysUntilClearedThenMovesAgain) {
   ASSERT_EQ(rig.faults.size(), 1u);
   EXPECT_EQ(rig.faults[0].cause, param.cause);
   EXPECT_EQ(rig.faults[0].axis, param.axis);
-  ASSERT_EQ(rig.finished.size(), 2u);
+  ASSERT_EQ(rig.finished.size(), param.unhomed ? 1u : 2u);
   EXPECT_EQ(rig.finished[0].how, MoveFinished::How::kCutShort);
   EXPECT_EQ(rig.finished[0].tick, rig.faults[0].tick);
-  EXPECT_EQ(rig.finished[1].how, MoveFinished::How::kReachedEnd);
   ASSERT_EQ(rig.faults_cleared.size(), 1u);
   EXPECT_EQ(rig.row(rig.faults_cleared[0].tick.value()).state, MotionState::kIdle);
   EXPECT_EQ(rig.row(rig.faults_cleared[0].tick.value() - 1).state, MotionState::kFault);
@@ -276,12 +276,19 @@ TEST_P(MotionLoopFaults, StopsTheArmAndStaysUntilClearedThenMovesAgain) {
     EXPECT_EQ(rig.row(fault_tick + 3).commanded[axis], rig.row(14'500).commanded[axis]);
   }
   EXPECT_EQ(rig.row(14'500).state, MotionState::kFault);
-  ASSERT_EQ(rig.refusals.size(), 2u);  // the queued one and that in Fault
-  for (const MoveRefused& refusal : rig.refusals) EXPECT_EQ(refusal.reason, Refusal::kNotReady);
+  // The queued one, that in Fault, and with an axis that is not referenced any more that behind the reset.
+  ASSERT_EQ(rig.refusals.size(), param.unhomed ? 3u : 2u);
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(rig.refusals[i].reason, Refusal::kNotReady);
 
   EXPECT_EQ(rig.last().state, MotionState::kIdle);
   EXPECT_EQ(rig.last().fault, FaultCause::kNone);
   EXPECT_EQ(rig.logic.servo_on(), 0x3Fu);
+  EXPECT_EQ(rig.last().referenced, param.unhomed ? 0x3Fu & ~(1u << (param.axis - 1u)) : 0x3Fu);
+  if (param.unhomed) {
+    EXPECT_EQ(rig.refusals[2].reason, Refusal::kNotReferenced);
+    return;
+  }
+  EXPECT_EQ(rig.finished[1].how, MoveFinished::How::kReachedEnd);
   EXPECT_EQ(rig.moves.size(), 2u);
   rig.expect_at({3, -3, 3, -3, 3, -3});
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -292,6 +299,63 @@ TEST_P(MotionLoopFaults, StopsTheArmAndStaysUntilClearedThenMovesAgain) {
 
 INSTANTIATE_TEST_SUITE_P(Causes, MotionLoopFaults, testing::ValuesIn(kFaultCases),
                          [](const auto& fault) { return fault.param.name; });
+
+TEST(MotionLoop, WhileTheLogicStandsStillEveryPositionMayBecomeFalse) {
+  ControllerRig rig;
+  rig.at(500, [&] { rig.logic.stand_still(kTickCycles.value()); });
+  rig.submit_at(800, ClearFault{});
+  rig.run(1'000);
+  EXPECT_EQ(rig.last().state, MotionState::kIdle);
+  EXPECT_EQ(rig.last().referenced, 0u);
+}
+
+// Another fault stops the arm before the following error is large enough.
+TEST(MotionLoop, AnEncoderThatHasLeftItsDriveIsNotTrustedAfterAnyFault) {
+  for (const bool stuck : {false, true}) {
+    ControllerRig rig;
+    rig.move_at(0, kFigure9Deg);
+    if (stuck) rig.at(6'000, [&] { rig.logic.drives[2].stuck = true; });
+    rig.at(6'300, [&] { rig.logic.pins.drive_alarm = 1; });
+    rig.at(6'400, [&] { rig.logic.pins.drive_alarm = 0; });
+    rig.submit_at(15'000, ClearFault{});
+    rig.run(15'200);
+    ASSERT_EQ(rig.faults.size(), 1u);
+    EXPECT_EQ(rig.faults[0].cause, FaultCause::kDriveAlarm);
+    EXPECT_EQ(rig.last().state, MotionState::kIdle);
+    EXPECT_EQ(rig.last().referenced, stuck ? 0b111011u : 0b111111u);
+  }
+}
+
+// The nominal drive is known: 1 deg beside its lag is found long before 5 deg, and the lag itself is none.
+TEST(MotionLoop, TheFollowingErrorAtRestGrowsWithTheLagOfTheDrive) {
+  for (const bool stuck : {false, true}) {
+    RobotModel robot = test::paper_robot();
+    for (AxisModel& axis : robot.axes) axis.following_error_at_rest_rad = 0.2 * test::kDeg;
+    ControllerRig rig{robot};
+    rig.move_at(0, kFigure9Deg);
+    if (stuck) rig.at(6'000, [&] { rig.logic.drives[0].stuck = true; });
+    rig.run(20'000);
+    ASSERT_EQ(rig.faults.size(), stuck ? 1u : 0u);
+    if (!stuck) continue;
+    EXPECT_EQ(rig.faults[0].cause, FaultCause::kFollowingError);
+    EXPECT_LT(rig.faults[0].tick, Ticks{6'300}) << "5 deg beside the lag would take 700 ticks";
+  }
+}
+
+TEST(MotionLoop, AnEncoderBeyondTheLimitsOfItsMonitorIsAFault) {
+  for (const bool speed : {false, true}) {
+    RobotModel robot = test::paper_robot();
+    robot.axes[1].encoder_speed_rad_s = speed ? 80 * test::kDeg : 0;
+    robot.axes[1].encoder_accel_rad_s2 = speed ? 0 : 300 * test::kDeg;
+    ControllerRig rig{robot};
+    rig.move_at(0, kFigure9Deg);  // 90 deg/s, 450 deg/s^2
+    rig.run(20'000);
+    ASSERT_EQ(rig.faults.size(), 1u);
+    EXPECT_EQ(rig.faults[0].cause, speed ? FaultCause::kEncoderSpeed : FaultCause::kEncoderAccel);
+    EXPECT_EQ(rig.faults[0].axis, 2);
+    EXPECT_EQ(rig.last().referenced, 0b111101u);
+  }
+}
 
 TEST(MotionLoop, InFaultTheDrivesAreOff) {
   ControllerRig rig;

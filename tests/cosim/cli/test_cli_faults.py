@@ -43,9 +43,21 @@ class Faults(Program):
         self.assertIn("expect.missing_ticks: expected 0, as it is not stated, got 400", done.stdout)
         self.assertEqual([fault["answered"] for fault in self.result()["injected_faults"]], [False, False])
 
-    def test_what_is_stated_passes(self):
+    def test_servos_that_stay_on_fail_the_run_whatever_is_stated(self):
         stated = "[expect]\nunanswered_faults = 2\nmissing_ticks = 400\n"
-        self.armature("run", *self.scenario(HANG + ESTOP + stated))
+        done = self.armature("run", *self.scenario(HANG + ESTOP + stated), code=1)
+        self.assertIn("missed_stop: expected none, in any run, got the stop by estop: the servos stay on", done.stdout)
+        # A relay takes the power away.
+        relay = 'outcome = "fault:controller_silent"\n'
+        tables = f"{HANG}{ESTOP}[expect]\nmissing_ticks = 400\n{relay}"
+        self.armature("run", *self.scenario(tables), "--set", "drop_out_us=500")
+
+    def test_servos_that_stay_on_after_an_error_response_fail_the_run_whatever_is_stated(self):
+        error = '[[fault]]\nat_s = 0.012\nkind = "slave_error"\naddress = 0x43C10008\ncount = 1\n'
+        stated = '[expect]\nbus_error = "SLVERR"\nunanswered_faults = 0\nmissing_ticks = 400\nunderruns = 0\n'
+        hang = HANG.replace("0.01\n", "0.0121\n")  # core 0 has stopped, the watchdog has not
+        done = self.armature("run", *self.scenario(error + hang + stated), code=1)
+        self.assertIn("got the stop by core 0 stopped: the servos stay on", done.stdout)
 
     def test_an_emergency_stop_within_a_stopped_clock_fails_the_run(self):
         done = self.armature("run", *self.scenario(STOPPED_CLOCK + ESTOP), code=1)

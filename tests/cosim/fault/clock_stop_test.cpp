@@ -1,0 +1,61 @@
+// The clock of the logic stops at any place of a tick: within an access of a core, while core 0 computes, or while it
+// waits. The run goes on, and the controller notices that four ticks are missing.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+
+#include "cosim/run/run.hpp"
+#include "tests/cosim/support/scenario_files.hpp"
+
+namespace armature::cosim {
+namespace {
+
+Scenario stopped_at(std::int64_t cycle, Engine engine) {
+  Scenario scenario = test::scenario_with(R"(
+[[move]]
+at_s = 0.002
+type = "joint"
+target_deg = [40, 40, 40, 40, 40, 40]
+)");
+  scenario.duration_s = 0.03;
+  scenario.engine = engine;
+  scenario.faults = {{.at_s = static_cast<double>(cycle) * 20e-9, .kind = ClockStop{.duration_s = 2e-4}}};
+  return scenario;
+}
+
+std::string end_of(const Scenario& scenario) {
+  Run run{scenario};
+  while (run.advance(run.now() + Cycles{1'000'000})) {
+  }
+  const unsigned referenced = run.look().telemetry.referenced;
+  const RunSummary summary = run.finish();
+  constexpr std::int64_t kTwoTicks = 20;  // of motion [counts]
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (std::abs(summary.facts.lost_counts[axis]) <= kTwoTicks) continue;
+    EXPECT_EQ(referenced >> axis & 1u, 0u) << "axis " << axis + 1 << " has a false position";
+  }
+  EXPECT_EQ(summary.failure, std::nullopt);
+  EXPECT_EQ(summary.facts.missed_stop(), std::nullopt);
+  return fmt::format("{} {} {}", summary.outcome(), summary.facts.bus_writes, summary.facts.total_pulses[0]);
+}
+
+TEST(ClockStop, AtAnyPlaceOfATickIsFoundAndEndsNoAccess) {
+  constexpr std::int64_t kSome = 1'000'000, kStep = 37;
+  for (std::int64_t cycle = kSome; cycle < kSome + 2'500; cycle += kStep) {
+    const std::string end = end_of(stopped_at(cycle, Engine::kModel));
+    const std::string outcome = end.substr(0, end.find(' '));
+    EXPECT_TRUE(outcome == "fault:clock" || outcome == "fault:encoder") << outcome << " at cycle " << cycle;
+  }
+}
+
+TEST(ClockStop, WithinAnAccessIsTheSameOnBothEngines) {
+  for (const std::int64_t cycle : {1'000'100, 1'000'350, 1'000'800, 1'001'030}) {
+    EXPECT_EQ(end_of(stopped_at(cycle, Engine::kModel)), end_of(stopped_at(cycle, Engine::kLockstep)));
+  }
+}
+
+}  // namespace
+}  // namespace armature::cosim
