@@ -207,6 +207,33 @@ struct RegisterFlip {
   friend bool operator==(const RegisterFlip&, const RegisterFlip&) = default;
 };
 
+// The brake of an axis holds less, for this time.
+struct BrakeSlip {
+  int axis = 1;           // 1..6
+  double share = 0;       // of its torque that is left, 0..1
+  double duration_s = 0;  // a cycle of the clock or longer
+
+  friend bool operator==(const BrakeSlip&, const BrakeSlip&) = default;
+};
+
+// ---- serial line
+
+// The line to the controller is low for this time: a break.
+struct UartBreak {
+  double duration_s = 0;  // a cycle of the clock or longer
+
+  friend bool operator==(const UartBreak&, const UartBreak&) = default;
+};
+
+// Glitches on the line to the controller, as EncoderNoise.
+struct UartNoise {
+  double width_us = 0;     // of a glitch: a cycle of the clock or longer
+  double mean_gap_us = 0;  // between two glitches: a cycle of the clock or longer
+  double duration_s = 0;   // a cycle of the clock or longer
+
+  friend bool operator==(const UartNoise&, const UartNoise&) = default;
+};
+
 // A kind whose fault ends after a time.
 template <class Kind>
 concept FaultWithDuration = requires(const Kind& fault) {
@@ -217,12 +244,26 @@ concept FaultWithDuration = requires(const Kind& fault) {
 using FaultKind =
     std::variant<PulseLoss, SlowCore, Estop, ClockStop, StrayWrite, BlockHang, ExtraPulses, DriveAlarm, AxisBlocked,
                  EncoderStuck, EncoderCable, EncoderSwapped, EncoderChatter, EncoderNoise, EncoderMiscount, IndexSlip,
-                 SwitchStuck, SwitchBounce, InterruptLost, CoreOneStuck, SlaveError, SlowSlave, RegisterFlip>;
+                 SwitchStuck, SwitchBounce, InterruptLost, CoreOneStuck, SlaveError, SlowSlave, RegisterFlip, BrakeSlip,
+                 UartBreak, UartNoise>;
+
+// What a fault waits for, from its time on.
+enum class FaultWhen : std::uint8_t {
+  kTime,        // nothing else
+  kPasses,      // a motor passes a place
+  kSpeed,       // the set-points of an axis are that fast
+  kMoveBegins,  // a move of the scenario begins
+};
 
 struct FaultSpec {
   double at_s = 0;
   FaultKind kind{};
   int line = 0;  // in the scenario file
+  FaultWhen when = FaultWhen::kTime;
+  int when_axis = 1;           // kPasses, kSpeed: 1..6
+  double when_deg = 0;         // kPasses: joint angle
+  double when_deg_s = 0;       // kSpeed: in either direction
+  std::int64_t when_move = 0;  // kMoveBegins: index in the scenario
 
   friend bool operator==(const FaultSpec&, const FaultSpec&) = default;
 };

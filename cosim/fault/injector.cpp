@@ -21,7 +21,8 @@ void FaultInjector::begin(const FaultKind& kind, Cycles now) {
   std::visit([this](const auto& fault) { start(fault); }, kind);
 }
 
-void FaultInjector::end(const FaultKind& kind) {
+void FaultInjector::end(const FaultKind& kind, Cycles now) {
+  now_ = now;
   std::visit(
       [this]<class Kind>(const Kind& fault) {
         if constexpr (FaultWithDuration<Kind>) stop(fault);
@@ -100,6 +101,13 @@ void FaultInjector::start(const AxisBlocked& fault) {
 void FaultInjector::stop(const AxisBlocked& fault) {
   --blocked_;
   targets_.plant.unblock(index_of(fault.axis));
+}
+
+void FaultInjector::start(const BrakeSlip& fault) {
+  targets_.plant.weaken_brake(index_of(fault.axis), fault.share, now_);
+}
+void FaultInjector::stop(const BrakeSlip& fault) {
+  targets_.plant.weaken_brake(index_of(fault.axis), 1.0, now_);
 }
 
 void FaultInjector::start(const InterruptLost&) {

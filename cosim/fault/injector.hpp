@@ -30,7 +30,7 @@ class FaultInjector {
   // The fault begins; the time of a fault with a duration is over. end() follows begin() of the same fault. After each
   // of them the pins of the chip must be set anew.
   void begin(const FaultKind& kind, Cycles now);
-  void end(const FaultKind& kind);  // only for kinds with a duration
+  void end(const FaultKind& kind, Cycles now);  // only for kinds with a duration
 
   // The next cycle at which advance() must be called. The pins of the chip must be set anew after it.
   [[nodiscard]] Cycles next_event() const { return lines_.next_event(); }
@@ -79,6 +79,8 @@ class FaultInjector {
   void stop(const DriveAlarm& fault);
   void start(const AxisBlocked& fault);
   void stop(const AxisBlocked& fault);
+  void start(const BrakeSlip& fault);
+  void stop(const BrakeSlip& fault);
   void start(const InterruptLost& fault);
   void stop(const InterruptLost& fault);
   void start(const CoreOneStuck& fault);
@@ -97,7 +99,7 @@ class FaultInjector {
 
   FaultTargets targets_;
   LineFaults lines_;
-  Cycles now_{};         // of begin()
+  Cycles now_{};         // of begin() or end()
   int estops_ = 0;       // emergency stops that hold the pin low
   int clock_stops_ = 0;  // faults that stop the clock
   bool blocks_hang_ = false;

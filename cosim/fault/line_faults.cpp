@@ -14,9 +14,8 @@ namespace {
 constexpr Cycles kMiscountGap{100};  // 2 us: the filter of the decoder lets each of the counts pass
 
 template <class Kind>
-concept EncoderFault = LineFault<Kind> && !requires(const Kind& fault) {
-  fault.which;
-};
+concept EncoderFault = LineFault<Kind> &&
+    requires(const Kind& fault) { fault.axis; } && !requires(const Kind& fault) { fault.which; };
 
 template <class Kind>
 std::size_t axis_of(const Kind& fault) {
@@ -73,6 +72,10 @@ struct Change {
   }
   void by(const SwitchStuck& fault) const { set_bit(pin_of(fault.which, pins), axis_of(fault), fault.level != 0); }
   void by(const SwitchBounce& fault) const { invert(pin_of(fault.which, pins), axis_of(fault)); }
+  void by(const UartBreak&) const { pins.uart_rxd = false; }
+  void by(const UartNoise&) const {
+    if (inverted) pins.uart_rxd = !pins.uart_rxd;
+  }
   void by(const auto&) const {}  // of other parts
 };
 
@@ -113,12 +116,14 @@ void LineFaults::toggle(Fault& fault, Cycles now) {
   };
   if (const auto* chatter = std::get_if<EncoderChatter>(&fault.kind)) after_half(chatter->period_us);
   if (const auto* bounce = std::get_if<SwitchBounce>(&fault.kind)) after_half(bounce->period_us);
-  if (const auto* noise = std::get_if<EncoderNoise>(&fault.kind)) {
+  const auto after_gap = [&](const auto& noise) {
     fault.inverted = !fault.inverted;
-    const auto twice = static_cast<std::uint64_t>(2 * cycles_of_us(noise->mean_gap_us).value());
+    const auto twice = static_cast<std::uint64_t>(2 * cycles_of_us(noise.mean_gap_us).value());
     const Cycles gap{static_cast<std::int64_t>(1 + random_.next() % twice)};
-    fault.next = now + (fault.inverted ? cycles_of_us(noise->width_us) : gap);
-  }
+    fault.next = now + (fault.inverted ? cycles_of_us(noise.width_us) : gap);
+  };
+  if (const auto* noise = std::get_if<EncoderNoise>(&fault.kind)) after_gap(*noise);
+  if (const auto* noise = std::get_if<UartNoise>(&fault.kind)) after_gap(*noise);
   if (const auto* miscount = std::get_if<EncoderMiscount>(&fault.kind)) {
     if (fault.added != miscount->counts) fault.added += miscount->counts > 0 ? 1 : -1;
     fault.next = fault.added != miscount->counts ? now + kMiscountGap : kNever;

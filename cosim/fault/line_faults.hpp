@@ -1,4 +1,4 @@
-// The faults of the lines of encoders and switches, between the plant and the chip.
+// The faults of the lines of encoders and switches, between the plant and the chip, and of the serial line.
 //
 // Each fault changes what the lines show, in the order of their begins. What toggles does it on the cycle.
 #pragma once
@@ -21,7 +21,8 @@ template <class Kind>
 concept LineFault =
     std::same_as<Kind, EncoderStuck> || std::same_as<Kind, EncoderCable> || std::same_as<Kind, EncoderSwapped> ||
     std::same_as<Kind, EncoderChatter> || std::same_as<Kind, EncoderNoise> || std::same_as<Kind, EncoderMiscount> ||
-    std::same_as<Kind, IndexSlip> || std::same_as<Kind, SwitchStuck> || std::same_as<Kind, SwitchBounce>;
+    std::same_as<Kind, IndexSlip> || std::same_as<Kind, SwitchStuck> || std::same_as<Kind, SwitchBounce> ||
+    std::same_as<Kind, UartBreak> || std::same_as<Kind, UartNoise>;
 
 class LineFaults {
  public:

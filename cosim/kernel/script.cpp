@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <utility>
 
 #include "controller/base/timebase.hpp"
@@ -27,6 +28,7 @@ Cycles end_of(const FaultSpec& fault, double duration_s) {
 
 Script::Script(const Scenario& scenario) {
   for (const FaultSpec& fault : scenario.faults) {
+    if (fault.when != FaultWhen::kTime) continue;  // FaultConditions
     entries_.push_back({to_cycles(fault.at_s), fault});
     if (const auto duration_s = fault_duration_s(fault.kind)) {
       entries_.push_back({end_of(fault, *duration_s), FaultEnd{fault}});
@@ -47,6 +49,13 @@ Script::Script(const Scenario& scenario) {
   std::ranges::stable_sort(entries_, {}, &Entry::at);
 }
 
+void Script::insert(Cycles at, const FaultSpec& fault) {
+  insert(Entry{at, fault});
+  if (const auto duration_s = fault_duration_s(fault.kind)) {
+    insert(Entry{at + std::max(Cycles{1}, to_cycles(*duration_s)), FaultEnd{fault}});
+  }
+}
+
 std::optional<Cycles> Script::next_event() const {
   if (next_ == entries_.size()) return std::nullopt;
   return entries_[next_].at;
@@ -58,12 +67,12 @@ std::optional<ScriptAction> Script::pop_due(Cycles now) {
 }
 
 void Script::add(const FaultSpec& fault) {
-  insert({to_cycles(fault.at_s), fault});
-  if (const auto duration_s = fault_duration_s(fault.kind)) insert({end_of(fault, *duration_s), FaultEnd{fault}});
+  insert(Entry{to_cycles(fault.at_s), fault});
+  if (const auto duration_s = fault_duration_s(fault.kind)) insert(Entry{end_of(fault, *duration_s), FaultEnd{fault}});
 }
 
 void Script::add(const InputSpec& input) {
-  insert({to_cycles(input.at_s), input});
+  insert(Entry{to_cycles(input.at_s), input});
 }
 
 void Script::end(const FaultSpec& fault, Cycles now) {

@@ -31,6 +31,9 @@ class Script {
  public:
   explicit Script(const Scenario& scenario);
 
+  // The fault begins at this cycle, which is in the future.
+  void insert(Cycles at, const FaultSpec& fault);
+
   // Cycle of the next action, if there is one.
   [[nodiscard]] std::optional<Cycles> next_event() const;
   // Cycle of the last action that is not removed yet; 0: there is none.

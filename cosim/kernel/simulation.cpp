@@ -45,6 +45,7 @@ Simulation::Simulation(const Scenario& scenario, std::unique_ptr<Soc> soc, Simul
           plant_, scenario.bus, {.paper = scenario.variant == Variant::kPaper, .input_jitter = scenario.input_jitter}},
       ticks_{*soc_, plant_, conservation_},
       script_{scenario},
+      conditions_{scenario},
       program_watch_{scenario, script_},
       injector_{{.plant = plant_, .processor = *processor_, .soc = *soc_}, scenario.seed},
       wave_{std::move(wave)},
@@ -292,6 +293,9 @@ void Simulation::read_host_memory() {
     if (const auto index = refused == nullptr ? std::nullopt : move_index(refused->tag)) program_.on_refused(*index);
     listener_.on_event(*event, now());
     software_.on_event(*event);
+    if (const auto* started = std::get_if<MoveStarted>(&*event)) {
+      if (const auto index = move_index(started->tag)) conditions_.on_move(*index);
+    }
     if (const auto* note = std::get_if<ProgramNoted>(&*event)) program_watch_.on_note(*note, now());
     if (std::holds_alternative<Faulted>(*event)) drop_program(Refusal::kNotReady);
     if (refused != nullptr && refused->reason == Refusal::kPartLost) drop_program(Refusal::kPartLost);
@@ -323,7 +327,8 @@ bool Simulation::on_pins_changed() {
   report_servo_enables();
   if (triggers) on_trigger();
   trigger_was_high_ = out.trigger;
-  const bool concern_others = others != out;
+  const bool faults_begin = triggers && begin_faults_of_conditions();
+  const bool concern_others = faults_begin || others != out;
   show_interrupts();
   return concern_others;
 }
@@ -386,6 +391,13 @@ void Simulation::on_trigger() {
   servo_was_on_ = servo_was_on_ || servo_on != 0;
   row_.tool_point.reset();
   listener_.on_row(row_);
+}
+
+// They begin in the next cycle, as any other action of the script.
+bool Simulation::begin_faults_of_conditions() {
+  const std::vector<FaultSpec> due = conditions_.due(row_);
+  for (const FaultSpec& fault : due) script_.insert(now() + Cycles{1}, fault);
+  return !due.empty();
 }
 
 // Since the beginning of the run.

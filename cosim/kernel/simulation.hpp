@@ -19,6 +19,7 @@
 #include "cosim/cpu/processor.hpp"
 #include "cosim/cpu/run_ahead.hpp"
 #include "cosim/fault/injector.hpp"
+#include "cosim/kernel/fault_conditions.hpp"
 #include "cosim/kernel/move_feeder.hpp"
 #include "cosim/kernel/program_watch.hpp"
 #include "cosim/kernel/script.hpp"
@@ -159,6 +160,7 @@ class Simulation final : private RunAhead {
   void report_servo_enables();
   [[nodiscard]] std::int64_t belt_counts() const;
   void on_trigger();
+  bool begin_faults_of_conditions();
   [[nodiscard]] std::array<CoreLoad, 2> load_until_now() const;
   void fail(std::string what);
 
@@ -173,6 +175,7 @@ class Simulation final : private RunAhead {
   Conservation conservation_;
   WholeTicks ticks_;
   Script script_;
+  FaultConditions conditions_;
   ProgramWatch program_watch_;
   MoveFeeder program_;
   std::optional<Tag> replacing_;  // the latest joint move that begins at once

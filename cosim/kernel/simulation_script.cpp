@@ -32,7 +32,7 @@ void Simulation::act(const ScriptAction& action) {
                  },
                  [this](const FaultEnd& end) {
                    compute_edges();
-                   injector_.end(end.fault.kind);
+                   injector_.end(end.fault.kind, now());
                    after_fault();
                  },
                  [this](const InputSpec& input) {

@@ -23,6 +23,10 @@ class DynamicAxes final : public Mechanics {
     return kAllAxes;
   }
   void block(std::size_t axis, bool on) override { arm_.block(axis, on); }
+  bool weaken_brake(std::size_t axis, double share) override {
+    arm_.weaken_brake(axis, share);
+    return true;
+  }
   void keep() override { arm_.keep(); }
   void take_back() override { arm_.take_back(); }
   [[nodiscard]] std::optional<PerAxis<double>> load_lead_deg() const override {

@@ -68,6 +68,9 @@ class Mechanics {
   // Fault script: the shaft of this motor cannot turn while `on`. It stands at once.
   virtual void block(std::size_t axis, bool on) = 0;
 
+  // Fault script: the holding brake of this motor has this share of its torque, 0..1. Returns false if it has none.
+  virtual bool weaken_brake(std::size_t /*axis*/, double /*share*/) { return false; }
+
   // For mechanics with a state of their own: keep() marks this moment, take_back() returns to it.
   virtual void keep() {}
   virtual void take_back() {}

@@ -90,6 +90,12 @@ void Plant::unblock(std::size_t axis) {
   if (--blocks_[axis] == 0) mechanics_->block(axis, false);
 }
 
+void Plant::weaken_brake(std::size_t axis, double share, Cycles now) {
+  if (!mechanics_->weaken_brake(axis, share)) return;
+  moving_ |= bit_of(axis);
+  wake(now);
+}
+
 void Plant::advance(Cycles now) {
   if (now < next_event_) return;
   if (now > next_event_) {

@@ -71,6 +71,8 @@ class Plant {
   // Fault script: the motor shaft cannot turn, until as many calls of unblock().
   void block(std::size_t axis);
   void unblock(std::size_t axis);
+  // Fault script: the holding brake of the axis has this share of its torque, of a plant that has brakes.
+  void weaken_brake(std::size_t axis, double share, Cycles now);
   // Whether the index would be high with the encoder so many counts further.
   [[nodiscard]] bool shows_index(std::size_t axis, Counts further) const {
     return encoders_[axis].z(encoders_[axis].count() + further);

@@ -107,7 +107,7 @@ void ServoArm::switch_drives(std::uint8_t controlled, const AxisNumbers& referen
 void ServoArm::wait_for_brakes() {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (state_.brake_in[axis] == 0 || --state_.brake_in[axis] > 0) continue;
-    state_.braking[axis] = has_bit(state_.controlled, axis) ? 0.0 : numbers_.holding[axis];
+    state_.braking[axis] = has_bit(state_.controlled, axis) ? 0.0 : numbers_.holding[axis] * brake_share_[axis];
   }
 }
 

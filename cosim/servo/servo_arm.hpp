@@ -43,6 +43,12 @@ class ServoArm {
   // The shaft of this motor cannot turn while `on` (fault script).
   void block(std::size_t axis, bool on) { set_bit(blocked_, axis, on); }
 
+  // The brake of this motor has this share of its torque, 0..1 (fault script).
+  void weaken_brake(std::size_t axis, double share) {
+    brake_share_[axis] = share;
+    if (state_.braking[axis] != 0.0) state_.braking[axis] = numbers_.holding[axis] * share;
+  }
+
   // keep() marks this moment; take_back() returns to it.
   void keep() { kept_ = state_; }
   void take_back() { state_ = kept_; }
@@ -84,6 +90,7 @@ class ServoArm {
   LoadSide arm_;
   int renewal_;
   std::uint8_t blocked_ = 0;  // one bit per axis
+  PerAxis<double> brake_share_{1, 1, 1, 1, 1, 1};
   State state_, kept_;
 };
 

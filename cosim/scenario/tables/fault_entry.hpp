@@ -88,6 +88,20 @@ template <class Kind>
       .required();
 }
 
+// The keys of the kinds with glitches.
+template <class Kind>
+[[nodiscard]] Key<Kind> glitch_width_key() {
+  return key("width_us", &Kind::width_us, between(kCycleS * 1e6, 1'000, "us"),
+             "Width of a glitch, in which the level is inverted.")
+      .required();
+}
+template <class Kind>
+[[nodiscard]] Key<Kind> glitch_gap_key() {
+  return key("mean_gap_us", &Kind::mean_gap_us, between(kCycleS * 1e6, 1'000'000, "us"),
+             "Mean of the gaps. They are between 0 and twice the mean.")
+      .required();
+}
+
 // An address of a register: a multiple of 4.
 template <class Kind>
 [[nodiscard]] Key<Kind> address_key(std::string_view text) {

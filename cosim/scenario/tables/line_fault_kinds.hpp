@@ -1,4 +1,4 @@
-// The kinds of fault of the lines of encoders and switches.
+// The kinds of fault of the lines of encoders and switches, and of the serial line.
 #pragma once
 
 #include <fmt/format.h>
@@ -73,12 +73,7 @@ template <>
       .name = "encoder_noise",
       .text = "a line of an encoder has glitches, with random gaps between them from the seed of the scenario",
       .keys = {axis_key<EncoderNoise>(), line_key<EncoderNoise>(),
-               key("width_us", &EncoderNoise::width_us, between(kCycleS * 1e6, 1'000, "us"),
-                   "Width of a glitch, in which the level is inverted.")
-                   .required(),
-               key("mean_gap_us", &EncoderNoise::mean_gap_us, between(kCycleS * 1e6, 1'000'000, "us"),
-                   "Mean of the gaps. They are between 0 and twice the mean.")
-                   .required(),
+               glitch_width_key<EncoderNoise>(), glitch_gap_key<EncoderNoise>(),
                duration_key<EncoderNoise>()},
       .details =
           [](const EncoderNoise& fault) {
@@ -141,6 +136,32 @@ template <>
           [](const SwitchBounce& fault) {
             return fmt::format(" of axis {}, {}, {} us", fault.axis, word_of(fault.which),
                                number_text(fault.period_us)) +
+                   duration_details(fault);
+          },
+  };
+  return kEntry;
+}
+
+template <>
+[[nodiscard]] inline const FaultEntry<UartBreak>& fault_entry<UartBreak>() {
+  static const FaultEntry<UartBreak> kEntry{
+      .name = "uart_break",
+      .text = "the serial line to the controller is low",
+      .keys = {duration_key<UartBreak>()},
+      .details = duration_details<UartBreak>,
+  };
+  return kEntry;
+}
+
+template <>
+[[nodiscard]] inline const FaultEntry<UartNoise>& fault_entry<UartNoise>() {
+  static const FaultEntry<UartNoise> kEntry{
+      .name = "uart_noise",
+      .text = "the serial line to the controller has glitches, as `encoder_noise`",
+      .keys = {glitch_width_key<UartNoise>(), glitch_gap_key<UartNoise>(), duration_key<UartNoise>()},
+      .details =
+          [](const UartNoise& fault) {
+            return fmt::format(", {} us every {} us", number_text(fault.width_us), number_text(fault.mean_gap_us)) +
                    duration_details(fault);
           },
   };

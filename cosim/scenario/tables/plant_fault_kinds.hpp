@@ -7,6 +7,7 @@
 
 #include "cosim/fault/fault_spec.hpp"
 #include "cosim/scenario/tables/fault_entry.hpp"
+#include "cosim/text/number_text.hpp"
 
 namespace armature::cosim {
 
@@ -42,6 +43,23 @@ template <>
       .text = "a motor shaft cannot turn: the arm has hit something",
       .keys = {axis_key<AxisBlocked>(), duration_key<AxisBlocked>()},
       .details = axis_and_duration<AxisBlocked>,
+  };
+  return kEntry;
+}
+
+template <>
+[[nodiscard]] inline const FaultEntry<BrakeSlip>& fault_entry<BrakeSlip>() {
+  static const FaultEntry<BrakeSlip> kEntry{
+      .name = "brake_slip",
+      .text = "the holding brake of an axis has lost torque. Only axes with `plant = \"dynamic\"` have one",
+      .keys = {axis_key<BrakeSlip>(),
+               key("share", &BrakeSlip::share, between(0, 1), "The part of its torque that is left.").required(),
+               duration_key<BrakeSlip>()},
+      .details =
+          [](const BrakeSlip& fault) {
+            return fmt::format(" of axis {}, {} of its torque left", fault.axis, number_text(fault.share)) +
+                   duration_details(fault);
+          },
   };
   return kEntry;
 }

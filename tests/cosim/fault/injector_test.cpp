@@ -101,7 +101,7 @@ TEST(FaultInjector, HoldsTheEmergencyStopAndNoOtherPinUntilItsEnd) {
   EXPECT_EQ(bench.pins(), stopped);
   EXPECT_EQ(bench.pulses_to_drop(), kNoPulses);
   EXPECT_TRUE(bench.processor.tick_compute.empty());
-  bench.injector.end(Estop{.duration_s = 0.1});
+  bench.injector.end(Estop{.duration_s = 0.1}, Cycles{});
   EXPECT_EQ(bench.pins(), kPinsAtRest);
 }
 
@@ -109,9 +109,9 @@ TEST(FaultInjector, HoldsTheEmergencyStopUntilTheLastOfSeveralEnds) {
   Bench bench;
   bench.injector.begin(Estop{.duration_s = 0.2}, kNow);
   bench.injector.begin(Estop{.duration_s = 0.1}, kNow);
-  bench.injector.end(Estop{.duration_s = 0.1});
+  bench.injector.end(Estop{.duration_s = 0.1}, Cycles{});
   EXPECT_FALSE(bench.pins().estop_n);
-  bench.injector.end(Estop{.duration_s = 0.2});
+  bench.injector.end(Estop{.duration_s = 0.2}, Cycles{});
   EXPECT_TRUE(bench.pins().estop_n);
 }
 
@@ -147,10 +147,10 @@ TEST(FaultInjector, StopsTheClockUntilTheLastOfSeveralEnds) {
   injector.begin(ClockStop{.duration_s = 0.1}, kNow);
   EXPECT_FALSE(soc.running);
   EXPECT_FALSE(injector.clock_runs());
-  injector.end(ClockStop{.duration_s = 0.1});
+  injector.end(ClockStop{.duration_s = 0.1}, Cycles{});
   EXPECT_FALSE(soc.running);
   EXPECT_FALSE(injector.clock_runs());
-  injector.end(ClockStop{.duration_s = 0.2});
+  injector.end(ClockStop{.duration_s = 0.2}, Cycles{});
   EXPECT_TRUE(soc.running);
   EXPECT_TRUE(injector.clock_runs());
 }
@@ -197,7 +197,7 @@ TEST(FaultInjector, HidesTheInterruptOfTheTimerAndNoOtherUntilItsEnd) {
   bench.injector.begin(InterruptLost{.duration_s = 0.1}, kNow);
   EXPECT_EQ(bench.injector.seen_interrupts(0xFF), 0xFF & ~(1u << regs::soc::kAxiTimerIrq));
   EXPECT_FALSE(bench.injector.is_quiet());
-  bench.injector.end(InterruptLost{.duration_s = 0.1});
+  bench.injector.end(InterruptLost{.duration_s = 0.1}, Cycles{});
   EXPECT_EQ(bench.injector.seen_interrupts(0xFF), 0xFF);
   EXPECT_TRUE(bench.injector.is_quiet());
 }
@@ -219,9 +219,9 @@ TEST(FaultInjector, DelaysResponsesByTheSumOfItsFaults) {
   bench.injector.begin(SlowSlave{.delay_us = 1, .duration_s = 1}, kNow);
   bench.injector.begin(SlowSlave{.delay_us = 0.02, .duration_s = 1}, kNow);
   EXPECT_EQ(bench.injector.response_delay(), Cycles{51});
-  bench.injector.end(SlowSlave{.delay_us = 1, .duration_s = 1});
+  bench.injector.end(SlowSlave{.delay_us = 1, .duration_s = 1}, Cycles{});
   EXPECT_EQ(bench.injector.response_delay(), Cycles{1});
-  bench.injector.end(SlowSlave{.delay_us = 0.02, .duration_s = 1});
+  bench.injector.end(SlowSlave{.delay_us = 0.02, .duration_s = 1}, Cycles{});
   EXPECT_TRUE(bench.injector.is_quiet());
 }
 
@@ -229,7 +229,7 @@ TEST(FaultInjector, RaisesTheAlarmOfTheNamedDriveUntilItsEnd) {
   Bench bench;
   bench.injector.begin(DriveAlarm{.axis = 2, .duration_s = 1}, kNow);
   EXPECT_EQ(bench.pins().drive_alarm, 0b10);
-  bench.injector.end(DriveAlarm{.axis = 2, .duration_s = 1});
+  bench.injector.end(DriveAlarm{.axis = 2, .duration_s = 1}, Cycles{});
   EXPECT_EQ(bench.pins(), kPinsAtRest);  // its servo is off
 }
 
