@@ -50,6 +50,20 @@ TEST(LineFaults, ABrokenCableTakesAllLinesOfItsEncoder) {
   EXPECT_EQ(lines.show({.enc_a = 3, .enc_b = 3, .enc_z = 3}), (SocInputs{.enc_a = 2, .enc_b = 2, .enc_z = 2}));
 }
 
+TEST(LineFaults, OfTheSerialLineTouchNoEncoder) {
+  Lines lines;
+  lines.faults.begin(UartNoise{.width_us = 0.1, .mean_gap_us = 4, .duration_s = kLong}, Cycles{0});
+  EXPECT_EQ(lines.show({}), (SocInputs{.uart_rxd = false}));
+  lines.faults.advance(Cycles{5});
+  EXPECT_EQ(lines.show({}), SocInputs{});
+  lines.faults.end(UartNoise{.width_us = 0.1, .mean_gap_us = 4, .duration_s = kLong});
+  lines.faults.begin(UartBreak{.duration_s = kLong}, Cycles{10});
+  EXPECT_EQ(lines.show({}), (SocInputs{.uart_rxd = false}));
+  EXPECT_EQ(lines.show({.uart_rxd = false}), (SocInputs{.uart_rxd = false}));
+  lines.faults.end(UartBreak{.duration_s = kLong});
+  EXPECT_TRUE(lines.faults.is_quiet());
+}
+
 TEST(LineFaults, ExchangeTwoLines) {
   Lines lines;
   lines.faults.begin(EncoderSwapped{.axis = 3, .duration_s = kLong}, Cycles{0});

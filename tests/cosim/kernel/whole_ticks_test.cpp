@@ -11,8 +11,10 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "cosim/kernel/scenario_soc.hpp"
@@ -201,12 +203,77 @@ TEST(WholeTicks, AFaultAtAnyCycleOfATickGivesTheSame) {
     const double at_s = 0.01 + static_cast<double>(cycle) * 20e-9;
     for (const FaultKind& kind : std::vector<FaultKind>{
              Estop{.duration_s = 0.002}, ClockStop{.duration_s = 0.001}, PulseLoss{.axis = 1, .count = 3},
-             BlockHang{.clock = ClockGroup::kMotion}, BlockHang{.clock = ClockGroup::kEncoder}}) {
+             BlockHang{.clock = ClockGroup::kMotion}, BlockHang{.clock = ClockGroup::kEncoder},
+             UartNoise{.width_us = 1, .mean_gap_us = 30, .duration_s = 0.002}}) {
       SCOPED_TRACE(testing::Message() << "cycle " << cycle << ", fault " << kind.index());
       scenario.faults = {{.at_s = at_s, .kind = kind}};
       const Seen edges = run(scenario, 0);
       ASSERT_NO_FATAL_FAILURE(expect_equal(run(scenario, 1'000'000'000), edges));
     }
+  }
+}
+
+// All kinds, at random times or at a condition. The model whose every edge is computed is the oracle.
+FaultKind random_kind(SplitMix& random) {
+  const int axis = static_cast<int>(1 + random.below(6));
+  const auto line = static_cast<EncoderLine>(random.below(3));
+  const auto which = static_cast<AxisSwitch>(random.below(3));
+  const int level = static_cast<int>(random.below(2));
+  const double us = 0.04 + random.below(2'000) * 0.01;
+  const double duration_s = random.below(2) == 0 ? 20e-9 * random.below(200) + 20e-9 : 1e-5 * (1 + random.below(1'000));
+  const std::int64_t counts = 1 + random.below(300);
+  std::vector<FaultKind> kinds{
+      PulseLoss{.axis = axis, .count = counts},
+      SlowCore{.compute_us = us},
+      Estop{.duration_s = duration_s},
+      ClockStop{.duration_s = duration_s},
+      BlockHang{.clock = static_cast<ClockGroup>(random.below(3))},
+      ExtraPulses{.axis = axis, .count = counts},
+      DriveAlarm{.axis = axis, .duration_s = duration_s},
+      AxisBlocked{.axis = axis, .duration_s = duration_s},
+      EncoderStuck{.axis = axis, .line = line, .level = level, .duration_s = duration_s},
+      EncoderCable{.axis = axis, .duration_s = duration_s},
+      EncoderSwapped{.axis = axis, .duration_s = duration_s},
+      EncoderChatter{.axis = axis, .line = line, .period_us = us, .duration_s = duration_s},
+      EncoderNoise{.axis = axis, .line = line, .width_us = us, .mean_gap_us = 10 * us, .duration_s = duration_s},
+      EncoderMiscount{.axis = axis, .counts = counts},
+      IndexSlip{.axis = axis, .counts = -counts},
+      SwitchStuck{.axis = axis, .which = which, .level = level, .duration_s = duration_s},
+      SwitchBounce{.axis = axis, .which = which, .period_us = us, .duration_s = duration_s},
+      InterruptLost{.duration_s = duration_s},
+      CoreOneStuck{},
+      SlaveError{.address = 0x43C1'0008, .count = 1},
+      SlowSlave{.delay_us = us, .duration_s = duration_s},
+      StrayWrite{.address = 0x4280'0000, .data = 0},
+      RegisterFlip{.address = 0x43C1'0014, .bit = static_cast<int>(random.below(32))},
+      BrakeSlip{.axis = axis, .share = 0.5, .duration_s = duration_s},
+      UartBreak{.duration_s = duration_s},
+      UartNoise{.width_us = us, .mean_gap_us = 10 * us, .duration_s = duration_s}};
+  EXPECT_EQ(kinds.size(), std::variant_size_v<FaultKind>) << "a kind is not drawn";
+  return kinds[random.below(static_cast<std::uint32_t>(kinds.size()))];
+}
+
+FaultSpec random_fault(SplitMix& random) {
+  FaultSpec fault{.at_s = 0.002 + random.below(1'000'000) * 20e-9, .kind = random_kind(random)};
+  fault.when = static_cast<FaultWhen>(random.below(2) == 0 ? 0 : random.below(4));
+  fault.when_axis = static_cast<int>(1 + random.below(6));
+  fault.when_deg = random.below(200) * 1e-3 - 0.1;
+  fault.when_deg_s = 0.1 + random.below(100) * 0.1;
+  return fault;
+}
+
+TEST(WholeTicks, FaultsOfAllKindsAndTheirConditionsGiveTheSame) {
+  std::vector<std::uint64_t> seeds(18);
+  std::iota(seeds.begin(), seeds.end(), kWholeTicksSeed);
+  for (const std::uint64_t seed : armature::test::cases(seeds)) {
+    SplitMix random{seed};
+    Scenario scenario = random_moves(random);
+    scenario.duration_s = 0.04;
+    for (std::uint32_t i = 1 + random.below(2); i > 0; --i) scenario.faults.push_back(random_fault(random));
+    SCOPED_TRACE(testing::Message() << "seed " << seed << ", fault " << scenario.faults[0].kind.index());
+    const Seen edges = run(scenario, 0);
+    EXPECT_EQ(edges.end.failure, "");
+    ASSERT_NO_FATAL_FAILURE(expect_equal(run(scenario, 1'000'000'000), edges));
   }
 }
 

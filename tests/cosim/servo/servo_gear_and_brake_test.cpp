@@ -135,6 +135,24 @@ TEST(ServoBrake, HoldsALoadBitForBit) {
   EXPECT_NEAR(rig.arm.twist_rad(0), 10 / 1e4, 1e-6);  // from the start: no oscillation
 }
 
+// 10 N m at the joint are 0.2 N m at the motor.
+TEST(ServoBrake, SlipsWithTooSmallAShareOfItsTorqueAndHoldsAgain) {
+  for (const bool slips : {false, true}) {
+    AxisSpec axis = plain_servo();
+    axis.dynamics->brake_nm = 0.3;
+    ServoRig rig{axis, {.inertia_kg_m2 = 1, .weight_nm = 10}};
+    rig.run(0.1, false);
+    rig.arm.weaken_brake(0, slips ? 0.6 : 0.7);
+    rig.run(0.1, false);
+    EXPECT_EQ(rig.error[0] != 0, slips);
+    rig.arm.weaken_brake(0, 1);
+    rig.run(1, false);
+    const double stands = rig.error[0];
+    rig.run(0.1, false);
+    EXPECT_EQ(rig.error[0], stands);
+  }
+}
+
 // The plant makes steps while a shaft has a speed.
 TEST(ServoBrake, AsksForStepsUntilItIsOpen) {
   AxisSpec axis = plain_servo();

@@ -80,6 +80,13 @@ LATER_FAULTS = {
         "count": lambda draft: draft.integer(1, 3),
     },
     "slow_slave": {"delay_us": lambda draft: draft.number(0.02, 20), "duration_s": duration_of},
+    "brake_slip": {"axis": axis_of, "share": lambda draft: draft.number(0, 1), "duration_s": duration_of},
+    "uart_break": {"duration_s": duration_of},
+    "uart_noise": {
+        "width_us": lambda draft: draft.number(0.02, 20, 3),
+        "mean_gap_us": lambda draft: draft.number(1, 200),
+        "duration_s": duration_of,
+    },
     "register_flip": {
         "address": lambda draft: draft.rng.choice([0x43C1_0014, 0x43C2_0008]),
         "bit": lambda draft: draft.integer(0, 31),
@@ -97,6 +104,23 @@ def put_later_fault(draft):
     draft.put("kind", kind)
     for key, value in LATER_FAULTS[kind].items():
         draft.put(key, value(draft))
+    put_condition(draft)
+
+
+def put_condition(draft):
+    """What the fault waits for."""
+    if draft.rng.random() > 0.3:
+        return
+    when = draft.rng.choice(["time", "passes", "speed", "move_begins"])
+    draft.put("when", when)
+    if when in ("passes", "speed"):
+        draft.put("when_axis", axis_of(draft))
+    if when == "passes":
+        draft.put("when_deg", draft.number(-2, 2))
+    elif when == "speed":
+        draft.put("when_deg_s", draft.number(0.1, 20))
+    elif when == "move_begins":
+        draft.put("when_move", draft.integer(0, 3))
 
 
 def put_fault(draft):
