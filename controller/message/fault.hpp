@@ -20,8 +20,8 @@ enum class FaultCause : std::uint8_t {
   kDrivesOff,    // no fault of the arm: a SwitchOff, or the controller starts with its drives off
   kClock,        // no trigger came for 1.5 ticks: the clock of the logic or its timer stood still
   kInverseKinematics,  // the logic solved a pose, and its joint angles are not those of the software
-  kEncoderSpeed,  // an encoder is faster than the limit of its axis
-  kEncoderAccel,  // an encoder changes its speed faster than the limit of its axis
+  kEncoderSpeed,       // an encoder is faster than the limit of its axis
+  kEncoderAccel,       // an encoder changes its speed faster than the limit of its axis
 };
 
 struct Faulted {

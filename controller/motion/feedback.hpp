@@ -39,9 +39,7 @@ class Feedback {
   void observe(Counts measured) noexcept;
 
   // How far the encoder is from where the nominal drive would be, less what a real drive may deviate [pulses].
-  [[nodiscard]] double deviation() const noexcept {
-    return std::fabs(loss_ - correction_) - kBandOfLag * lag_peak_;
-  }
+  [[nodiscard]] double deviation() const noexcept { return std::fabs(loss_ - correction_) - kBandOfLag * lag_peak_; }
   // More than what the feedback leaves alone.
   [[nodiscard]] bool deviates() const noexcept { return deviation() > kStartBand * resolution_; }
 

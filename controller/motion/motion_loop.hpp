@@ -9,14 +9,14 @@
 // late; the excess is corrected later (paper_logic_port.hpp).
 //
 // A late core does not wait for the trigger. So a long wait means that the logic stood still, clock or timer: all pins
-// kept their levels meanwhile, and an emergency stop had no effect. The loop reports this when it continues (kClock). If
-// the core waited for the bus then, only the time since the trigger before shows it: it is longer than the ticks that
-// the logic has counted.
+// kept their levels meanwhile, and an emergency stop had no effect. The loop reports this when it continues (kClock).
+// If the core waited for the bus then, only the time since the trigger before shows it: it is longer than the ticks
+// that the logic has counted.
 //
 // States: Idle <-> Moving <-> Holding, both -> Stopping -> Idle; each -> Fault -> Idle (Order::kClearFault). In
 // Fault empty sets are committed and the drives are off. An axis whose encoder was at fault, or has left the motion of
-// its drive, is not referenced any more: its position may be false. The source of set-points (motion_source.hpp) determines the
-// motion.
+// its drive, is not referenced any more: its position may be false. The source of set-points (motion_source.hpp)
+// determines the motion.
 #pragma once
 
 #include "controller/base/axes.hpp"
@@ -25,11 +25,11 @@
 #include "controller/motion/axis_control.hpp"
 #include "controller/motion/controller_observer.hpp"
 #include "controller/motion/emission.hpp"
-#include "controller/motion/encoder_monitor.hpp"
 #include "controller/motion/inverse_check.hpp"
 #include "controller/motion/logic_port.hpp"
 #include "controller/motion/loop_channel.hpp"
 #include "controller/motion/set_point_source.hpp"
+#include "controller/robot/encoder_monitor.hpp"
 #include "controller/robot/robot_model.hpp"
 
 namespace armature {
@@ -88,7 +88,7 @@ class MotionLoop {
   SetPointSource& source_;
   InverseCheck* inverse_;
   Telemetry telemetry_{};
-  std::uint8_t referenced_;    // mask of axes whose joint angles are known
+  std::uint8_t referenced_;  // mask of axes whose joint angles are known
   EncoderMonitor monitor_;
   bool trigger_late_ = false;  // the core waited longer than kLongestWait for the present tick
   Cycles woke_{};              // at the present tick

@@ -104,8 +104,8 @@ struct AxisModel {
   }
   ARMATURE_MEMBERS(AxisModel, gear_ratio, pulses_per_rev, counts_per_rev, min_rad, max_rad, max_speed_rad_s,
                    max_accel_rad_s2, max_jerk_rad_s3, following_error_limit_rad, following_error_at_rest_rad,
-                   encoder_speed_rad_s, encoder_accel_rad_s2, drive_natural_rad_s, drive_damping,
-                   dir_setup_cycles, dir_hold_cycles, min_step_high_cycles, min_step_low_cycles, homing)
+                   encoder_speed_rad_s, encoder_accel_rad_s2, drive_natural_rad_s, drive_damping, dir_setup_cycles,
+                   dir_hold_cycles, min_step_high_cycles, min_step_low_cycles, homing)
 };
 
 struct RobotModel {

@@ -241,11 +241,10 @@ concept FaultWithDuration = requires(const Kind& fault) {
 };
 
 // The members of a struct are the keys of its kind.
-using FaultKind =
-    std::variant<PulseLoss, SlowCore, Estop, ClockStop, StrayWrite, BlockHang, ExtraPulses, DriveAlarm, AxisBlocked,
-                 EncoderStuck, EncoderCable, EncoderSwapped, EncoderChatter, EncoderNoise, EncoderMiscount, IndexSlip,
-                 SwitchStuck, SwitchBounce, InterruptLost, CoreOneStuck, SlaveError, SlowSlave, RegisterFlip, BrakeSlip,
-                 UartBreak, UartNoise>;
+using FaultKind = std::variant<PulseLoss, SlowCore, Estop, ClockStop, StrayWrite, BlockHang, ExtraPulses, DriveAlarm,
+                               AxisBlocked, EncoderStuck, EncoderCable, EncoderSwapped, EncoderChatter, EncoderNoise,
+                               EncoderMiscount, IndexSlip, SwitchStuck, SwitchBounce, InterruptLost, CoreOneStuck,
+                               SlaveError, SlowSlave, RegisterFlip, BrakeSlip, UartBreak, UartNoise>;
 
 // What a fault waits for, from its time on.
 enum class FaultWhen : std::uint8_t {

@@ -14,8 +14,11 @@ namespace {
 constexpr Cycles kMiscountGap{100};  // 2 us: the filter of the decoder lets each of the counts pass
 
 template <class Kind>
-concept EncoderFault = LineFault<Kind> &&
-    requires(const Kind& fault) { fault.axis; } && !requires(const Kind& fault) { fault.which; };
+concept EncoderFault = LineFault<Kind> && requires(const Kind& fault) {
+  fault.axis;
+} && !requires(const Kind& fault) {
+  fault.which;
+};
 
 template <class Kind>
 std::size_t axis_of(const Kind& fault) {

@@ -18,11 +18,10 @@ namespace armature::cosim {
 
 // A kind that LineFaults makes happen.
 template <class Kind>
-concept LineFault =
-    std::same_as<Kind, EncoderStuck> || std::same_as<Kind, EncoderCable> || std::same_as<Kind, EncoderSwapped> ||
-    std::same_as<Kind, EncoderChatter> || std::same_as<Kind, EncoderNoise> || std::same_as<Kind, EncoderMiscount> ||
-    std::same_as<Kind, IndexSlip> || std::same_as<Kind, SwitchStuck> || std::same_as<Kind, SwitchBounce> ||
-    std::same_as<Kind, UartBreak> || std::same_as<Kind, UartNoise>;
+concept LineFault = std::same_as<Kind, EncoderStuck> || std::same_as<Kind, EncoderCable> ||
+    std::same_as<Kind, EncoderSwapped> || std::same_as<Kind, EncoderChatter> || std::same_as<Kind, EncoderNoise> ||
+    std::same_as<Kind, EncoderMiscount> || std::same_as<Kind, IndexSlip> || std::same_as<Kind, SwitchStuck> ||
+    std::same_as<Kind, SwitchBounce> || std::same_as<Kind, UartBreak> || std::same_as<Kind, UartNoise>;
 
 class LineFaults {
  public:

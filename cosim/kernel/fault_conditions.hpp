@@ -1,5 +1,5 @@
-// The faults of a scenario that wait for a condition, `when`. They are judged at each trigger, by what a row of the trace
-// has, so that all engines agree.
+// The faults of a scenario that wait for a condition, `when`. They are judged at each trigger, by what a row of the
+// trace has, so that all engines agree.
 #pragma once
 
 #include <cstdint>

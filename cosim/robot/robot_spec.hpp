@@ -71,9 +71,9 @@ struct AxisSpec {
   double max_speed_deg_s = 0, max_accel_deg_s2 = 0;
   std::optional<double> max_jerk_deg_s3;  // none: no S-curves with this robot
   double following_error_deg = 5.0;
-  std::optional<double> following_error_at_rest_deg;  // none: only following_error_deg is checked
-  std::optional<double> encoder_speed_limit_deg_s;    // none: not checked
-  std::optional<double> encoder_accel_limit_deg_s2;   // none: not checked
+  std::optional<double> following_error_at_rest_deg;      // none: only following_error_deg is checked
+  std::optional<double> encoder_speed_limit_deg_s;        // none: not checked
+  std::optional<double> encoder_accel_limit_deg_s2;       // none: not checked
   std::optional<std::array<double, 2>> home_switch_deg;   // active between these joint angles; none: no switch
   std::optional<std::array<double, 2>> limit_switch_deg;  // active up to the first one and from the second one on
   std::optional<HomingSpec> homing;                       // none: the axis cannot be homed

@@ -40,8 +40,8 @@ class DemandedStops {
   void close(Cycles at);
 
   Cycles longest_ = kLongest;
-  bool on_ = false;                    // a servo enable is high
-  std::optional<DemandedStop> open_;   // while servo enables are high
+  bool on_ = false;                   // a servo enable is high
+  std::optional<DemandedStop> open_;  // while servo enables are high
   std::optional<DemandedStop> missed_;
   std::optional<RunPlace> last_row_;
 };

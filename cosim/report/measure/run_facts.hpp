@@ -54,8 +54,8 @@ struct RunFacts {
   FaultCause end_fault = FaultCause::kNone;  // kNone: the controller is not in Fault at the end
   bool controller_silent = false;            // servo enables are low at the end, and the controller is not in Fault
   DemandedStops stops;
-  std::string stopped_by;                    // the last cause (kCauses) why servo enables dropped; or empty
-  std::int64_t moves_finished = 0;           // of those started
+  std::string stopped_by;           // the last cause (kCauses) why servo enables dropped; or empty
+  std::int64_t moves_finished = 0;  // of those started
   // Of the moves of the scenario and its commands for pins of the tool, at the end of the run. A waiting command
   // was sent to the controller, and the controller has neither begun nor refused it. A move under way has begun and has
   // not reached its end, and no stop and no fault has cut it short.

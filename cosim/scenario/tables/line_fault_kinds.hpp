@@ -72,9 +72,8 @@ template <>
   static const FaultEntry<EncoderNoise> kEntry{
       .name = "encoder_noise",
       .text = "a line of an encoder has glitches, with random gaps between them from the seed of the scenario",
-      .keys = {axis_key<EncoderNoise>(), line_key<EncoderNoise>(),
-               glitch_width_key<EncoderNoise>(), glitch_gap_key<EncoderNoise>(),
-               duration_key<EncoderNoise>()},
+      .keys = {axis_key<EncoderNoise>(), line_key<EncoderNoise>(), glitch_width_key<EncoderNoise>(),
+               glitch_gap_key<EncoderNoise>(), duration_key<EncoderNoise>()},
       .details =
           [](const EncoderNoise& fault) {
             return fmt::format(" of axis {}, line {}, {} us every {} us", fault.axis, word_of(fault.line),

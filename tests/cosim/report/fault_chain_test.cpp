@@ -21,8 +21,8 @@ FaultEvent reported(FaultCause cause, std::uint8_t axis, std::int64_t cycle) {
 TEST(FaultChain, NamesWhatWasDetectedAndTheFaultOfTheSameAxisBehindIt) {
   RunFacts facts;
   EXPECT_EQ(first_fault_text(facts), "");
-  facts.injected_faults = {injected_at(15'000'000, PulseLoss{.axis = 3, .count = 5}),
-                           injected_at(15'300'211, kStuckB), injected_at(16'000'000, PulseLoss{.axis = 4, .count = 5})};
+  facts.injected_faults = {injected_at(15'000'000, PulseLoss{.axis = 3, .count = 5}), injected_at(15'300'211, kStuckB),
+                           injected_at(16'000'000, PulseLoss{.axis = 4, .count = 5})};
   facts.faults = {reported(FaultCause::kFollowingError, 4, 15'400'000)};
   EXPECT_EQ(first_fault_text(facts),
             "following_error of axis 4 at tick 6160: encoder_stuck of axis 4, line b = 1 for 1 s since cycle 15300211");

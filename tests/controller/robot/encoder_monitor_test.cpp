@@ -1,5 +1,5 @@
 // The monitor of encoder speed and acceleration: its limits, to the count, and its windows.
-#include "controller/motion/encoder_monitor.hpp"
+#include "controller/robot/encoder_monitor.hpp"
 
 #include <gtest/gtest.h>
 
