@@ -57,6 +57,7 @@ ONLY_LOADER = re.compile(
             r"at least one byte",
             r"needs [0-9.]+ ",
             r"drive's own lag",
+            r"expected more than max_(speed|accel)_deg",
             r"expected a magnitude",
             r"forearm",
             r"found nan",
