@@ -69,7 +69,7 @@ void Conservation::on_trigger(Cycles now) {
   }
   check_drives(now);
   previous_emitted_ = std::exchange(latest_emitted_, pins_);
-  positions_.on_trigger(now);
+  positions_.on_trigger(now, trigger_in_doubt(now));
 
   std::swap(active_, pending_);
   pending_.assign(1, CountSet{});

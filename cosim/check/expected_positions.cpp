@@ -19,6 +19,10 @@ CountRange operator+(const CountRange& a, const CountRange& b) {
   return {.min = a.min + b.min, .max = a.max + b.max};
 }
 
+CountRange hull(const CountRange& a, const CountRange& b) {
+  return {.min = std::min(a.min, b.min), .max = std::max(a.max, b.max)};
+}
+
 // A 32-bit register counts modulo 2^32.
 bool contains(const CountRange& range, std::uint32_t value) {
   return value - static_cast<std::uint32_t>(range.min.value()) <=
@@ -46,9 +50,9 @@ Cycles ExpectedPositions::settled_until(Cycles now) const {
   return std::max(now - latency(), running_since_);
 }
 
-void ExpectedPositions::on_trigger(Cycles now) {
-  previous_ = latest_;
+void ExpectedPositions::on_trigger(Cycles now, bool trigger_in_doubt) {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    previous_[axis] = trigger_in_doubt ? hull(previous_[axis], latest_[axis]) : latest_[axis];
     latest_[axis] = plant_.motor_counts_since(axis, settled_until(now)) + lost_[axis];
   }
   settled_ = now - running_since_ >= latency();

@@ -37,8 +37,9 @@ class ExpectedPositions {
   // The software has written the debounce time [cycles]; 0 acts as 1.
   void set_debounce(std::int64_t time) { debounce_ = time; }
 
-  // The snapshot is taken at `now`.
-  void on_trigger(Cycles now);
+  // The snapshot is taken at `now`. `trigger_in_doubt`: a read that ends after it may have come before the last
+  // trigger, or before the one before that. A timer with a wrong period triggers that often.
+  void on_trigger(Cycles now, bool trigger_in_doubt);
 
   // The clock has stopped after its edge `now`; it runs again from the edge after `now`.
   void on_clock_stopped(Cycles now);
@@ -67,7 +68,7 @@ class ExpectedPositions {
   Cycles running_since_{};
   bool settled_ = true;  // at the last trigger every edge from before the last stop of the clock was in POSITION
   PerAxis<CountRange> latest_{};    // of the last trigger
-  PerAxis<CountRange> previous_{};  // of the one before it
+  PerAxis<CountRange> previous_{};  // of the one before it, and of others as near
   PerAxis<CountRange> shown_{};     // when the clock stopped
   PerAxis<CountRange> lost_{};      // POSITION minus the count of the encoder; at first minus its count at the start
 };

@@ -122,6 +122,35 @@ TEST(ConservationPosition, MustNotBeYoungerThanTheTrigger) {
   EXPECT_NE(bench.check.violation()->find(expected), std::string::npos) << *bench.check.violation();
 }
 
+// A timer with a wrong period: the read has come before one of the last triggers.
+TEST(ConservationPosition, MayBeOfAnyTriggerDuringTheRead) {
+  constexpr std::int64_t kSpacing = 6;
+  constexpr auto kLatency = static_cast<std::int64_t>(ConservationBench::kEncoderLatency);
+  ConservationBench bench;
+  cruise(bench, {19, 0, 0, 0, 0, 0}, [&bench] { return bench.plant.motor_counts(0) > Counts{2'000}; });
+  if (HasFatalFailure()) return;
+  bench.begin_tick(kNone, 1);  // the drive still follows what it got
+  int of_the_first_alone = 0;
+  std::int64_t first = 0;
+  for (int i = 0; i < 60; ++i) {
+    first = bench.plant.motor_counts(0).value();
+    bench.wait(kSpacing);
+    of_the_first_alone += bench.plant.motor_counts(0).value() != first ? 1 : 0;
+    bench.wait(kLatency - kSpacing);
+    bench.check.on_trigger(bench.now());
+    for (int j = 0; j < 2; ++j) {
+      bench.wait(kSpacing);
+      bench.check.on_trigger(bench.now());
+    }
+    bench.wait(1);
+    bench.read_position(0, first);
+    EXPECT_CONSERVED(bench) << i;
+  }
+  EXPECT_GT(of_the_first_alone, 0);
+  bench.read_position(0, first - 200);
+  EXPECT_TRUE(bench.check.violation());
+}
+
 TEST(ConservationPosition, IsCheckedAtStandstillToTheCount) {
   for (const std::int64_t value : {-1, 1}) {
     ConservationBench bench;
