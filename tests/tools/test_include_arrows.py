@@ -136,6 +136,7 @@ COSIM = {
         "scenario",
     },
     "run": {"time", "text", "net", "soc", "serial", "trace", "scenario", "golden", "report", "kernel"},
+    "campaign": {"time", "text", "fabric", "robot", "fault", "scenario", "trace", "report", "kernel", "run"},
     "snapshot": {"net"},
     "serve": {"text", "net", "logic", "soc"},
 }
