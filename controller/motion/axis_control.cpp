@@ -22,7 +22,7 @@ AxisControl::AxisControl(const AxisModel& model, bool feedback) noexcept
       checks_deviation_{model.following_error_at_rest_rad > 0.0},
       feedback_on_{feedback},
       quantizer_{largest_count(units_)},
-      feedback_{model, units_} {}
+      feedback_{model, units_, feedback ? 1 : kJudgedTicks} {}
 
 void AxisControl::restart(Pulses emitted, Counts measured) noexcept {
   reference_ = units_.to_radians(measured);

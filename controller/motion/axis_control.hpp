@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 
+#include "controller/base/axes.hpp"
 #include "controller/base/units.hpp"
 #include "controller/motion/feedback.hpp"
 #include "controller/motion/pulse_quantizer.hpp"
@@ -34,19 +36,21 @@ class AxisControl {
     direction_ = (reference > reference_) - (reference < reference_);
     reference_ = reference;
     reference_pulses_ = units_.to_pulses(reference);
-    if (feedback_on_) {
-      correction_ = feedback_.correct(measured, step);
-    } else if (checks_deviation_) {
-      feedback_.observe(measured);
-    }
+    if (feedback_on_) correction_ = feedback_.correct(measured, step);
     return quantizer_.next(reference_pulses_ + correction_);
   }
 
-  // True when `measured` is farther from the last set-point than the axis' following-error limit, or was farther from
-  // where the drive would be in the last next().
-  [[nodiscard]] bool following_error(Counts measured) const noexcept {
-    return std::fabs((reference_ - actual(measured)).value()) > following_error_limit_rad_ ||
-           feedback_.deviation() > max_deviation_;
+  // True when `measured`, the angle of the encoder, is farther from the last set-point than the axis' following-error
+  // limit.
+  [[nodiscard]] bool following_error(Radians measured) const noexcept {
+    return std::fabs((reference_ - measured).value()) > following_error_limit_rad_;
+  }
+  // True when `measured` is too far from where the drive would be. Call it every kJudgedTicks ticks, after next().
+  static constexpr std::int32_t kJudgedTicks = 2 * kAxes;
+  [[nodiscard]] bool judge_deviation(Counts measured) noexcept {
+    if (!checks_deviation_) return false;
+    if (!feedback_on_) feedback_.observe(measured);
+    return feedback_.deviation() > max_deviation_;
   }
   // The encoder has left the drive's nominal motion, by however little: its counts are not certain.
   [[nodiscard]] bool deviates() const noexcept { return feedback_.deviates(); }

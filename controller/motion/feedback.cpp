@@ -21,10 +21,11 @@ constexpr double kEndBand = 0.25;
 
 }  // namespace
 
-Feedback::Feedback(const AxisModel& model, const AxisUnits& units) noexcept
+Feedback::Feedback(const AxisModel& model, const AxisUnits& units, std::int32_t ticks) noexcept
     : units_{units},
       drive_{model.drive_natural_rad_s, model.drive_damping},
-      peak_decay_{std::max(0.0, 1.0 - kPeakDecayOfNatural * model.drive_natural_rad_s * kTickSeconds)},
+      loss_share_{ticks * kLossShare},
+      peak_decay_{std::max(0.0, 1.0 - ticks * (kPeakDecayOfNatural * model.drive_natural_rad_s * kTickSeconds))},
       resolution_{std::max(1.0, units.pulses_per_count())} {}
 
 void Feedback::restart(Pulses sent, Counts measured) noexcept {
@@ -51,7 +52,7 @@ Pulses Feedback::correct(Counts measured, double reference_step) noexcept {
 void Feedback::observe(Counts measured) noexcept {
   const double loss =
       (static_cast<double>(drive_.sent().value()) + offset_ - units_.to_exact_pulses(measured)) - drive_.lag();
-  loss_ += kLossShare * (loss - loss_);
+  loss_ += loss_share_ * (loss - loss_);
   lag_peak_ = std::max(std::fabs(drive_.lag()), lag_peak_ * peak_decay_);
 }
 

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 
 #include "controller/base/units.hpp"
 #include "controller/motion/drive_model.hpp"
@@ -20,7 +21,8 @@ namespace armature {
 
 class Feedback {
  public:
-  Feedback(const AxisModel& model, const AxisUnits& units) noexcept;
+  // `ticks`: from one correct() or observe() to the next.
+  Feedback(const AxisModel& model, const AxisUnits& units, std::int32_t ticks = 1) noexcept;
 
   // The axis stands at `measured`; `sent` is the number of pulses emitted so far. The correction starts again from 0.
   void restart(Pulses sent, Counts measured) noexcept;
@@ -32,7 +34,7 @@ class Feedback {
 
   // The correction, in all since restart(), that the commanded pulses of the next tick must contain. `measured` is the
   // encoder at the end of the last reported tick. `reference_step` is the next change of the set-point [pulses/tick]:
-  // the correction uses the rest of the axis' speed limit. Call once per tick.
+  // the correction uses the rest of the axis' speed limit.
   [[nodiscard]] Pulses correct(Counts measured, double reference_step) noexcept;
 
   // Open loop, instead of correct(): only the deviation is measured.
@@ -54,7 +56,8 @@ class Feedback {
 
   AxisUnits units_;
   DriveModel drive_;
-  double peak_decay_;      // of the lag's peak, per tick
+  double loss_share_;      // of a new loss in the filtered one
+  double peak_decay_;      // of the lag's peak, from one correct() or observe() to the next
   double resolution_;      // pulses of one count, at least one pulse
   double offset_ = 0.0;    // measured minus sent at the restart [pulses]
   double loss_ = 0.0;      // filtered [pulses]

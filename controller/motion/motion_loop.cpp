@@ -84,6 +84,7 @@ void MotionLoop::start() noexcept {
 void MotionLoop::tick() noexcept {
   telemetry_.tick += Ticks{1};
   const LogicInput& input = logic_.sample();
+  for (std::size_t axis = 0; axis < kAxes; ++axis) telemetry_.actual[axis] = axes_[axis].actual(input.encoder[axis]);
   const bool was_in_fault = telemetry_.state == MotionState::kFault;
   if (was_in_fault) {
     tick_in_fault(input);
@@ -92,7 +93,7 @@ void MotionLoop::tick() noexcept {
     if (input.new_underruns == 0) {
       monitor_.observe(input.encoder);
     } else {  // more than a tick since the last one
-      monitor_.restart(input.encoder);
+      monitor_.restart();
     }
     if (const Finding finding = find_fault(input); finding.cause != FaultCause::kNone) {
       enter_fault(finding);
@@ -131,17 +132,20 @@ MotionLoop::Finding MotionLoop::find_fault(const LogicInput& input) const noexce
 }
 
 MotionLoop::Finding MotionLoop::find_axis_fault(const LogicInput& input) const noexcept {
+  const unsigned obeyed = ~unsigned{source_.last().homing};
+  const unsigned limit_pos = input.switches.limit_pos & obeyed, limit_neg = input.switches.limit_neg & obeyed;
   for (std::uint8_t axis = 0; axis < kAxes; ++axis) {
     const AxisControl& control = axes_[axis];
     const auto number = static_cast<std::uint8_t>(axis + 1);
     // An axis may move away from an active limit switch.
-    const std::uint8_t blocked = control.direction() > 0   ? input.switches.limit_pos
-                                 : control.direction() < 0 ? input.switches.limit_neg
-                                                           : std::uint8_t{0};
-    const auto obeyed = static_cast<std::uint8_t>(blocked & ~source_.last().homing);
-    if (((obeyed >> axis) & 1u) != 0) return {FaultCause::kLimitSwitch, number};
+    const unsigned blocked = control.direction() > 0 ? limit_pos : control.direction() < 0 ? limit_neg : 0u;
+    if (((blocked >> axis) & 1u) != 0) return {FaultCause::kLimitSwitch, number};
     const bool always_counted = ((input.always_counted >> axis) & 1u) != 0;
-    if (always_counted && control.following_error(input.encoder[axis])) return {FaultCause::kFollowingError, number};
+    if (always_counted && control.following_error(telemetry_.actual[axis]))
+      return {FaultCause::kFollowingError, number};
+  }
+  if (deviating_axis_ != 0 && ((input.always_counted >> (deviating_axis_ - 1)) & 1u) != 0) {
+    return {FaultCause::kFollowingError, deviating_axis_};
   }
   if (const auto axes = static_cast<std::uint8_t>(monitor_.too_fast() & input.always_counted); axes != 0) {
     return {FaultCause::kEncoderSpeed, first_axis(axes)};
@@ -154,9 +158,9 @@ MotionLoop::Finding MotionLoop::find_axis_fault(const LogicInput& input) const n
 
 // The logic counts the ticks that a late core misses. That of Vo 2021 does not.
 bool MotionLoop::stood_still(const LogicInput& input) const noexcept {
+  if (trigger_late_ || since_wake_ <= kLongestTick) return trigger_late_;
   const bool counts_ticks = input.always_counted == PulseTrain::kAllAxes;
-  return trigger_late_ ||
-         (counts_ticks && since_wake_ > kLongestTick + Cycles{kTickCycles.value() * std::int64_t{input.new_underruns}});
+  return counts_ticks && since_wake_ > kLongestTick + Cycles{kTickCycles.value() * std::int64_t{input.new_underruns}};
 }
 
 // Those whose decoder may have lost counts. While the logic stood still, it has not counted.
@@ -170,7 +174,7 @@ std::uint8_t MotionLoop::untrusted_axes(const LogicInput& input) const noexcept 
   unsigned axes = uncounted_motion(input) | monitor_.too_fast() | monitor_.too_hard();
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const AxisControl& control = axes_[axis];
-    if (control.deviates() || control.following_error(input.encoder[axis])) axes |= 1u << axis;
+    if (control.deviates() || control.following_error(telemetry_.actual[axis])) axes |= 1u << axis;
   }
   return static_cast<std::uint8_t>(axes & input.always_counted);
 }
@@ -190,6 +194,7 @@ void MotionLoop::follow_source(const LogicInput& input) noexcept {
   for (std::size_t axis = 0; axis < robot_.axis_count; ++axis) {
     counts[axis] = axes_[axis].next(next.position[axis], input.encoder[axis]);
   }
+  if (monitor_.rests()) judge_deviation(input);
   bus_.charge(Work::kTick);
   if (next.planned) bus_.charge(Work::kRetarget);
   const std::int64_t charged = inverse_ != nullptr ? std::exchange(inverse_->charged, 0) : 0;
@@ -198,15 +203,23 @@ void MotionLoop::follow_source(const LogicInput& input) noexcept {
   emission_.committed(counts, logic_.sequence());
 }
 
+// Of one axis, the next one.
+void MotionLoop::judge_deviation(const LogicInput& input) noexcept {
+  deviating_axis_ = axes_[judged_].judge_deviation(input.encoder[judged_]) ? static_cast<std::uint8_t>(judged_ + 1) : 0;
+  judged_ = judged_ + 1 < kAxes ? judged_ + 1 : 0;
+}
+
 // All axes stand: they do so at other positions than before, and everything that they have sent is emitted.
 void MotionLoop::shift_positions(const SetPoint& located) noexcept {
   const std::uint8_t axes = located.located;
   for (std::size_t axis = 0; axis < robot_.axis_count; ++axis) {
     if (((axes >> axis) & 1u) == 0) continue;
     logic_.shift_position(axis, located.shift[axis]);
-    axes_[axis].restart(axes_[axis].committed(), logic_.last().encoder[axis]);
+    const Counts encoder = logic_.last().encoder[axis];
+    axes_[axis].restart(axes_[axis].committed(), encoder);
+    telemetry_.actual[axis] = axes_[axis].actual(encoder);
   }
-  monitor_.restart(logic_.last().encoder);
+  monitor_.restart();
   referenced_ = static_cast<std::uint8_t>(referenced_ | axes);
   reset_source();
 }
@@ -275,7 +288,8 @@ void MotionLoop::restart_axes() noexcept {
   const PerAxis<Pulses>& emitted = logic_.emitted();
   for (std::size_t axis = 0; axis < kAxes; ++axis)
     axes_[axis].restart(emitted[axis], standstill_position(axis, emitted[axis]));
-  monitor_.restart(logic_.last().encoder);
+  monitor_.restart();
+  deviating_axis_ = 0;
   reset_source();
 }
 
@@ -319,7 +333,6 @@ void MotionLoop::update_telemetry(const LogicInput& input) noexcept {
     telemetry_.reference_pulses[axis] = control.reference_pulses();
     telemetry_.correction[axis] = control.correction();
     telemetry_.commanded[axis] = control.committed();
-    telemetry_.actual[axis] = control.actual(input.encoder[axis]);
     channel_.position.set(axis, telemetry_.reference[axis], telemetry_.actual[axis]);
   }
 }

@@ -64,6 +64,7 @@ class MotionLoop {
   [[nodiscard]] std::uint8_t untrusted_axes(const LogicInput& input) const noexcept;
 
   void follow_source(const LogicInput& input) noexcept;
+  void judge_deviation(const LogicInput& input) noexcept;
   void shift_positions(const SetPoint& located) noexcept;
 
   void enter_fault(const Finding& finding) noexcept;
@@ -84,6 +85,8 @@ class MotionLoop {
   ControllerObserver& observer_;
   LogicPort& logic_;
   PerAxis<AxisControl> axes_;
+  std::size_t judged_ = 0;           // the axis whose deviation is judged next
+  std::uint8_t deviating_axis_ = 0;  // 1..6: that of the axis judged last is too large; 0: it is not
   Emission emission_;
   SetPointSource& source_;
   InverseCheck* inverse_;

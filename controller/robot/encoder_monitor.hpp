@@ -2,7 +2,8 @@
 //
 // Both are means over fixed windows, so that single counts do not matter: the speed over 1 ms, the acceleration from
 // the motions in two successive windows of 5 ms. A speed above the limit is found after 2 ms at the latest, an
-// acceleration after 10 ms. They need an encoder that is always counted.
+// acceleration after 10 ms. They need an encoder that is always counted. The windows of each axis end in a tick of
+// their own, every second one, so that no tick has the work of all axes.
 #pragma once
 
 #include <cmath>
@@ -20,47 +21,57 @@ namespace armature {
 
 class EncoderMonitor {
  public:
-  static constexpr std::int32_t kSpeedTicks = 20;
-  static constexpr std::int32_t kAccelWindows = 5;  // windows of the speed in one of the acceleration
+  static constexpr std::uint32_t kSpeedTicks = 20;
+  static constexpr std::uint32_t kAccelWindows = 5;  // windows of the speed in one of the acceleration
 
   explicit EncoderMonitor(const RobotModel& robot) noexcept
       : max_moved_{make_per_axis([&](std::size_t i) { return limit(robot.axes[i], &AxisModel::encoder_speed_rad_s); })},
         max_change_{
             make_per_axis([&](std::size_t i) { return limit(robot.axes[i], &AxisModel::encoder_accel_rad_s2); })} {}
 
-  // The axes continue from here, whatever was before.
-  void restart(const PerAxis<Counts>& encoder) noexcept {
-    encoder_ = window_began_ = encoder;
-    ticks_ = windows_ = 0;
-    compares_ = false;
+  // The axes continue from where they are in the next ticks, whatever was before.
+  void restart() noexcept {
+    axes_ = {};
     too_fast_ = too_hard_ = 0;
   }
 
   // Once per tick. Afterwards too_fast() and too_hard() are those of the windows that end in this tick.
   void observe(const PerAxis<Counts>& encoder) noexcept {
     too_fast_ = too_hard_ = 0;
-    if (++ticks_ < kSpeedTicks) return;
-    ticks_ = 0;
-    too_fast_ = mask_of([&](std::size_t axis) { return distance(encoder[axis] - encoder_[axis]) > max_moved_[axis]; });
-    encoder_ = encoder;
-    if (++windows_ < kAccelWindows) return;
-    windows_ = 0;
-    end_window(encoder);
+    const std::uint32_t slot = ticks_;
+    ticks_ = slot + 1 < kSpeedTicks ? slot + 1 : 0;
+    const std::size_t axis = slot / 2;
+    if (slot % 2 != 0 || axis >= kAxes) return;
+    const auto bit = static_cast<std::uint8_t>(1u << axis);
+    const Counts here = encoder[axis];
+    Axis& one = axes_[axis];
+    if (one.begun) {
+      if (distance(here - one.encoder) > max_moved_[axis]) too_fast_ = bit;
+      if (++one.windows == kAccelWindows && end_window(one, here) > max_change_[axis]) too_hard_ = bit;
+    } else {
+      one.begun = true;
+      one.window_began = here;
+    }
+    one.encoder = here;
   }
+
+  // No window ends in the tick of the last observe(): there is time for other checks. True in every second tick.
+  [[nodiscard]] bool rests() const noexcept { return ticks_ % 2 == 0; }
 
   // Masks of axes, bit 0 for axis 1.
   [[nodiscard]] std::uint8_t too_fast() const noexcept { return too_fast_; }
   [[nodiscard]] std::uint8_t too_hard() const noexcept { return too_hard_; }
 
  private:
-  template <class Test>
-  [[nodiscard]] static std::uint8_t mask_of(Test test) noexcept {
-    std::uint8_t mask = 0;
-    for (std::size_t axis = 0; axis < kAxes; ++axis) {
-      if (test(axis)) mask = static_cast<std::uint8_t>(mask | (1u << axis));
-    }
-    return mask;
-  }
+  struct Axis {
+    bool begun = false;     // the members below are known
+    bool compares = false;  // `moved` is known
+    std::uint32_t windows = 0;
+    Counts encoder{};       // at the begin of the window of the speed
+    Counts window_began{};  // of that of the acceleration
+    Counts moved{};         // in the one before
+  };
+
   [[nodiscard]] static double distance(Counts moved) noexcept { return std::fabs(static_cast<double>(moved.value())); }
 
   // In counts of a window. Each of its ends is up to a count away from where the axis is.
@@ -73,23 +84,20 @@ class EncoderMonitor {
     return moved_rad * counts_per_rad + (is_speed ? 1.0 : 2.0);
   }
 
-  void end_window(const PerAxis<Counts>& encoder) noexcept {
-    PerAxis<Counts> moved;
-    for (std::size_t axis = 0; axis < kAxes; ++axis) moved[axis] = encoder[axis] - window_began_[axis];
-    if (compares_) {
-      too_hard_ = mask_of([&](std::size_t axis) { return distance(moved[axis] - moved_[axis]) > max_change_[axis]; });
-    }
-    compares_ = true;
-    moved_ = moved;
-    window_began_ = encoder;
+  // The change of the motion from the window before to the one that ends here; 0: there was none before. [counts]
+  [[nodiscard]] static double end_window(Axis& one, Counts here) noexcept {
+    const Counts moved = here - one.window_began;
+    const double change = one.compares ? distance(moved - one.moved) : 0.0;
+    one.compares = true;
+    one.moved = moved;
+    one.window_began = here;
+    one.windows = 0;
+    return change;
   }
 
   PerAxis<double> max_moved_, max_change_;  // [counts]
-  PerAxis<Counts> encoder_{};               // at the begin of the window of the speed
-  PerAxis<Counts> window_began_{};          // of that of the acceleration
-  PerAxis<Counts> moved_{};                 // in the one before
-  std::int32_t ticks_ = 0, windows_ = 0;
-  bool compares_ = false;  // moved_ is known
+  PerAxis<Axis> axes_{};
+  std::uint32_t ticks_ = 0;
   std::uint8_t too_fast_ = 0, too_hard_ = 0;
 };
 

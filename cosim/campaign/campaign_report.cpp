@@ -22,14 +22,14 @@ std::int64_t silent_in(const OutcomeCounts& counts) {
 }
 
 // The rows of the table: name, runs with this fault alone, runs with it and another one.
-struct Row {
+struct ReportRow {
   std::string name;
   OutcomeCounts alone{}, with_others{};
   Latency latency{};
 };
 
-std::vector<Row> rows_of(const CampaignTable& table) {
-  std::vector<Row> rows{{.name = "no fault", .alone = table.without}};
+std::vector<ReportRow> rows_of(const CampaignTable& table) {
+  std::vector<ReportRow> rows{{.name = "no fault", .alone = table.without}};
   for (const std::string_view name : fault_kind_names()) {
     const auto found = table.kinds.find(std::string{name});
     if (found == table.kinds.end()) continue;
@@ -39,7 +39,7 @@ std::vector<Row> rows_of(const CampaignTable& table) {
   return rows;
 }
 
-std::vector<std::string> cells_of(const Row& row) {
+std::vector<std::string> cells_of(const ReportRow& row) {
   const auto at = [&](Outcome outcome) { return std::to_string(row.alone[static_cast<std::size_t>(outcome)]); };
   std::int64_t others = 0;
   for (const std::int64_t count : row.with_others) others += count;
@@ -103,7 +103,7 @@ std::string html_row(const std::vector<std::string>& cells, std::string_view ele
 
 std::string campaign_text(const CampaignTable& table) {
   std::vector<std::vector<std::string>> lines{head_cells()};
-  for (const Row& row : rows_of(table)) lines.push_back(cells_of(row));
+  for (const ReportRow& row : rows_of(table)) lines.push_back(cells_of(row));
   constexpr std::size_t kNameWidth = 18, kWidth = 10;
   std::string text = fmt::format("{:>{}}\n", "ticks to the first response", kNameWidth + 10 * kWidth);
   for (const std::vector<std::string>& cells : lines) {
@@ -127,7 +127,7 @@ std::string campaign_page(const CampaignTable& table, const std::string& replay)
                  silent == 0 ? "passed" : "failed", silent, xml_text(counts_text(table)));
   page += "<p>The last four columns: ticks from the begin of the fault to the first response.</p>\n<table>\n";
   page += html_row(head_cells(), "th");
-  for (const Row& row : rows_of(table)) {
+  for (const ReportRow& row : rows_of(table)) {
     page += html_row(cells_of(row), "td", silent_in(row.alone) + silent_in(row.with_others) == 0 ? "" : "failed");
   }
   page += "</table>\n";
@@ -143,8 +143,8 @@ std::string campaign_page(const CampaignTable& table, const std::string& replay)
 
 std::vector<JunitCase> campaign_cases(const CampaignTable& table, const std::string& replay) {
   std::vector<JunitCase> cases;
-  const std::vector<Row> rows = rows_of(table);
-  for (const Row& row : rows) {
+  const std::vector<ReportRow> rows = rows_of(table);
+  for (const ReportRow& row : rows) {
     JunitCase one{.name = row.name};
     for (std::size_t i = 0; i < kOutcomes; ++i) {
       const std::int64_t runs = row.alone[i] + row.with_others[i];

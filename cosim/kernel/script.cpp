@@ -85,10 +85,10 @@ void Script::end(const FaultSpec& fault, Cycles now) {
   Entry entry = std::move(*found);
   entries_.erase(found);
   entry.at = std::max(now, to_cycles(fault.at_s) + Cycles{1});
-  insert(std::move(entry));
+  insert(entry);
 }
 
-void Script::insert(Entry entry) {
+void Script::insert(const Entry& entry) {
   const auto is_before = [](const Entry& a, const Entry& b) {
     return a.at != b.at ? a.at < b.at : rank_of(a.action) < rank_of(b.action);
   };

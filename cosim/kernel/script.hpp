@@ -55,7 +55,7 @@ class Script {
     Cycles at;
     ScriptAction action;
   };
-  void insert(Entry entry);
+  void insert(const Entry& entry);
 
   std::vector<Entry> entries_;
   std::size_t next_ = 0;

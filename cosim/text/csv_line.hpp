@@ -54,9 +54,9 @@ class CsvLine {
   }
 
   // Throws InputError with the place of the value.
-  [[noreturn]] void fail(std::size_t column, std::string message) const {
+  [[noreturn]] void fail(std::size_t column, const std::string& message) const {
     const auto at = static_cast<int>(values_[column].data() - text_.data()) + 1;
-    throw InputError{Problem{file_, Origin{line_, at, {}}, {}, std::move(message)}};
+    throw InputError{Problem{file_, Origin{line_, at, {}}, {}, message}};
   }
 
  private:

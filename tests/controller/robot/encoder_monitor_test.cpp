@@ -22,7 +22,7 @@ RobotModel robot_with(double speed_deg_s, double accel_deg_s2) {
 
 class Encoders {
  public:
-  explicit Encoders(const RobotModel& robot) : monitor_{robot} { monitor_.restart(counts_); }
+  explicit Encoders(const RobotModel& robot) : monitor_{robot} {}
   // Moves axis 3 for so many ticks. Adds what was found.
   void move(int ticks, std::int64_t counts_per_tick) {
     for (int i = 0; i < ticks; ++i) {
@@ -32,7 +32,7 @@ class Encoders {
       too_hard |= monitor_.too_hard();
     }
   }
-  void restart() { monitor_.restart(counts_); }
+  void restart() { monitor_.restart(); }
   unsigned too_fast = 0, too_hard = 0;
 
  private:
@@ -47,7 +47,7 @@ TEST(EncoderMonitor, FindsASpeedAboveTheLimitWithinTwoWindows) {
     EXPECT_EQ(at_limit.too_fast, 0u);
     Encoders above{robot_with(9.9 * kDegSOfCount, 0)};
     above.move(7, 0);
-    above.move(2 * EncoderMonitor::kSpeedTicks, sign * 10);
+    above.move(2 * static_cast<int>(EncoderMonitor::kSpeedTicks), sign * 10);
     EXPECT_EQ(above.too_fast, 0b000100u);
   }
 }
@@ -57,7 +57,7 @@ TEST(EncoderMonitor, FindsAChangeOfSpeedAboveTheLimitAndNoSlowerOne) {
   const double accel = 10 * kDegSOfCount / 0.005;
   for (const bool above : {false, true}) {
     Encoders encoders{robot_with(0, above ? 0.99 * accel : 1.001 * accel)};
-    encoders.move(200, 0);
+    encoders.move(205, 0);  // the windows of axis 3 begin at the fifth tick
     encoders.move(200, 10);
     EXPECT_EQ(encoders.too_hard, above ? 0b000100u : 0u);
     encoders.too_hard = 0;

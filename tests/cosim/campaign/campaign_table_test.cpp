@@ -16,7 +16,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-CampaignResult result(std::int64_t run, std::vector<std::string> kinds, Outcome outcome,
+CampaignResult result(std::int64_t run, const std::vector<std::string>& kinds, Outcome outcome,
                       std::optional<std::int64_t> latency = {}) {
   return {.run = run,
           .kinds = kinds,
@@ -24,7 +24,7 @@ CampaignResult result(std::int64_t run, std::vector<std::string> kinds, Outcome 
           .verdict = {.outcome = outcome, .reason = "a reason", .latency_ticks = latency}};
 }
 
-CampaignTable table_of(const std::vector<CampaignResult>& results, std::string shard = {}) {
+CampaignTable table_of(const std::vector<CampaignResult>& results, const std::string& shard = {}) {
   CampaignTable table{.head = {.seed = 1, .runs = 6, .engine = "model", .robots = {"r"}}};
   if (!shard.empty()) table.shards = {shard};
   for (const CampaignResult& one : results) table.add(one);

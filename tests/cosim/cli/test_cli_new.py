@@ -6,7 +6,8 @@ import tomllib
 
 from cli_program import MOMENT, SCENARIOS, Program, main
 
-ROBOTS = sorted(path.stem for path in SCENARIOS.glob("robots/*.toml"))
+CANNOT_MOVE = {"vo2021_6r_overloaded"}  # it carries more than its drives can hold
+ROBOTS = sorted({path.stem for path in SCENARIOS.glob("robots/*.toml")} - CANNOT_MOVE)
 REST_S = 0.25  # of the 0.3 s after the set-points; the runs here end so much earlier
 
 

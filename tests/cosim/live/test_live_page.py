@@ -13,8 +13,8 @@ class Live(LivePage):
         process = self.live("pendant_jog")
         self.open(process)
         self.switch_on()
-        self.hold("1+", "live.state.joints_deg[1] > 2")
-        self.assertTrue(self.page.run("document.getElementById('lamp-moving').classList.contains('on')"))
+        lamp = "document.getElementById('lamp-moving').classList.contains('on')"
+        self.hold("1+", f"live.state.joints_deg[1] > 2 && {lamp}")
         self.mouse("mouseReleased", '[data-jog="1+"]')
         self.wait_for("ready")
         # The picture follows the arm, and the plots have what it did.
