@@ -77,6 +77,7 @@ FaultSpec read_fault(ConfigValue table, const Scenario& scenario, Cycles now) {
   TableReader reader{table, "", problems};
   const ScenarioRobot robot{.spec = &scenario.robot, .file = scenario.robot_name};
   fault_keys().read(reader, {.robot = robot, .scenario = &scenario}, fault);
+  if (fault.when != FaultWhen::kTime) throw MessageError{"fault: it begins now and waits for nothing, see \"when\""};
   reader.finish();
   std::vector<Problem> found;
   problems.move_to(found);

@@ -52,6 +52,8 @@ TEST(PageMessage, MalformedMessagesGetAnErrorAndDoNothing) {
       {R"({"do":"fault","fault":{"kind":"estop","duration_s":-1}})", "duration_s"},
       {R"({"do":"fault","fault":{"kind":"estop","duration_s":1,"axis":1}})", "axis"},
       {R"({"do":"fault","fault":{"kind":"estop","duration_s":1,"at_s":0}})", "at_s"},
+      {R"({"do":"fault","fault":{"kind":"estop","duration_s":1,"when":"move_begins","when_move":0}})",
+       "waits for nothing"},
       {R"({"do":"fault","fault":{"kind":"estop","duration_s":[1]}})", "must be a number, a flag"},
       {R"({"do":"fault","fault":{"kind":"drive_alarm","axis":7,"duration_s":1}})", "axis"},
       {R"({"do":"forward","joints_deg":[0,0,0,0,0,null]})", "must be 6 numbers"},
