@@ -11,8 +11,6 @@ RUNS = 20 if "ARMATURE_FEW_DRAWS" in os.environ else 200
 RUNS = int(os.environ.get("ARMATURE_CAMPAIGN_RUNS", RUNS))
 # Kind of fault and outcome of the known silent errors; cosim/campaign/README.md says what happens.
 KNOWN = {
-    ("clock_stop", "failed"),
-    ("clock_stop", "motion_after_stop"),
     ("clock_stop", "limit_exceeded"),
     ("core1_stuck", "hang"),
     ("block_hang", "hang"),
