@@ -17,6 +17,7 @@
 #include "cosim/run/run.hpp"
 #include "cosim/scenario/fault_text.hpp"
 #include "cosim/text/input_error.hpp"
+#include "cosim/text/number_text.hpp"
 #include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
@@ -135,7 +136,7 @@ Cycles end_of_faults(const Scenario& scenario) {
 void name_faults(const Scenario& scenario, CampaignResult& result) {
   for (const FaultSpec& fault : scenario.faults) {
     result.kinds.emplace_back(fault_kind_name(fault.kind));
-    result.faults.push_back(fmt::format("{} at {} s", fault_text(fault), rounded_text(fault.at_s, 6)));
+    result.faults.push_back(fmt::format("{} at {} s", fault_text(fault), fixed_text(fault.at_s, 6)));
   }
 }
 

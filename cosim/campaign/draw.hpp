@@ -5,9 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <string>
 
-#include "cosim/text/number_text.hpp"
 #include "cosim/time/random.hpp"
 
 namespace armature::cosim {
@@ -38,10 +36,5 @@ class Draw {
  private:
   Random random_;
 };
-
-// A number with so many digits after the point, as a scenario file has it.
-[[nodiscard]] inline std::string rounded_text(double value, int digits) {
-  return fixed_text(value, digits);
-}
 
 }  // namespace armature::cosim

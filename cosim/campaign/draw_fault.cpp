@@ -66,7 +66,7 @@ std::string integer_text(Draw& draw, const Rule& rule) {
 
 std::string number_in(Draw& draw, const Rule& rule) {
   if (!rule.numbers.empty()) return number_text(draw.one_of(rule.numbers));
-  if (rule.min < 0) return number_text(std::stod(rounded_text(draw.number(rule.min, rule.max), 3)));
+  if (rule.min < 0) return number_text(std::stod(fixed_text(draw.number(rule.min, rule.max), 3)));
   return number_text(draw.decades(std::max(rule.min, rule.max * kLeastPart), rule.max));
 }
 
@@ -117,7 +117,7 @@ const std::vector<std::string_view>& fault_kind_names() {
 
 std::string draw_fault(Draw& draw, const RobotSpec& robot, double at_s) {
   const KindKeys& kind = draw.one_of(kinds());
-  std::string text = fmt::format("at_s = {}\nkind = \"{}\"\n", rounded_text(at_s, 7), kind.name);
+  std::string text = fmt::format("at_s = {}\nkind = \"{}\"\n", fixed_text(at_s, 7), kind.name);
   Written written;
   for (const KeyInfo& key : kind.keys) {
     if (!is_drawn(draw, key, written)) continue;

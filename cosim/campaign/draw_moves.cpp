@@ -33,7 +33,7 @@ class Mover {
       const AxisSpec& axis = robot_.axes[i];
       const double target = at_[i] + draw_.number(-kSpanDeg, kSpanDeg);
       at_[i] = std::clamp(target, axis.min_deg + kFromLimitDeg, axis.max_deg - kFromLimitDeg);
-      at_[i] = std::stod(rounded_text(at_[i], kAngleDigits));
+      at_[i] = std::stod(fixed_text(at_[i], kAngleDigits));
     }
   }
   void turn_all_motors() {
@@ -41,7 +41,7 @@ class Mover {
       const AxisSpec& axis = robot_.axes[i];
       const double way = kTurns * 360 / std::fabs(axis.gear_ratio);
       const bool up = axis.max_deg - at_[i] > at_[i] - axis.min_deg;
-      at_[i] = std::stod(rounded_text(at_[i] + (up ? way : -way), kAngleDigits));
+      at_[i] = std::stod(fixed_text(at_[i] + (up ? way : -way), kAngleDigits));
     }
   }
   // `10,20,30`, with zeros for axes that the robot does not have.

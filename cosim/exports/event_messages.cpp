@@ -60,7 +60,7 @@ class EventMessages {
   void add(RunChannel channel, std::uint64_t at, const Json& values) {
     Json message = {{"timestamp", time_json(at)}};
     message.update(values);
-    messages_.push_back({at, channel, message.dump(-1, ' ', false, Json::error_handler_t::replace)});
+    messages_.push_back({at, channel, compact_text(message)});
   }
 
   void log(std::uint64_t at, LogLevel level, const char* name, const std::string& text,

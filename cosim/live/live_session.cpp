@@ -24,7 +24,7 @@ std::string LiveSession::state(double factor) {
                                  .program = commands_.program_name(),
                                  .state = run_.look(),
                                  .factor = factor});
-  return state.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return compact_text(state);
 }
 
 std::string LiveSession::on_message(std::string_view text) {

@@ -5,6 +5,7 @@
 
 #include "cosim/page/embedded_files.hpp"
 #include "cosim/page/page_marks.hpp"
+#include "cosim/text/json.hpp"
 #include "cosim/text/printable.hpp"
 #include "cosim/text/sha256.hpp"
 #include "cosim/text/xml_text.hpp"
@@ -14,7 +15,7 @@ namespace {
 
 // JSON inside a <script> element: without `<`, nothing in it can end the element or begin a comment.
 std::string script_json(const nlohmann::ordered_json& data) {
-  const std::string json = data.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  const std::string json = compact_text(data);
   std::string safe;
   safe.reserve(json.size());
   for (const char c : json) {

@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <atomic>
 #include <cstddef>
 #include <iostream>
 #include <iterator>
@@ -10,7 +9,6 @@
 #include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -42,6 +40,7 @@
 #include "cosim/report/format/progress_bar.hpp"
 #include "cosim/report/format/summary_text.hpp"
 #include "cosim/run/engine_waves.hpp"
+#include "cosim/run/parallel.hpp"
 #include "cosim/run/run_folder.hpp"
 #include "cosim/scenario/files/scenario_loader.hpp"
 #include "cosim/text/printable.hpp"
@@ -268,28 +267,22 @@ std::vector<JunitCase> check_all(const CheckOptions& given, const std::vector<Sc
   const std::optional<MomentWave> wave = moment_wave(given.wave);
   catch_interrupts();
   std::vector<std::optional<JunitCase>> results(scenarios.size());
-  std::atomic<std::size_t> next{0};
   std::mutex printing;
   CheckProgress progress{std::cerr, scenarios.size(), !given.output.quiet && stderr_is_terminal()};
-  const auto work = [&] {
-    for (std::size_t i = next++; i < scenarios.size() && !interrupted(); i = next++) {
-      {
-        const std::scoped_lock lock{printing};
-        progress.begin(scenarios[i].name);
-      }
-      results[i] = check_scenario(scenarios[i], given, {.kept = kept[i], .report = reports[i], .wave = wave});
-      if (!results[i]) return;
+  for_each_in_parallel(scenarios.size(), given.jobs, [&](std::size_t i, int) {
+    if (interrupted()) return false;
+    {
       const std::scoped_lock lock{printing};
-      progress.clear();
-      if (!given.output.json && !(given.output.quiet && has_passed(*results[i]))) print_verdict(*results[i]);
-      progress.end(scenarios[i].name);
+      progress.begin(scenarios[i].name);
     }
-  };
-  {
-    std::vector<std::jthread> helpers;
-    for (int i = 1; i < given.jobs; ++i) helpers.emplace_back(work);
-    work();
-  }
+    results[i] = check_scenario(scenarios[i], given, {.kept = kept[i], .report = reports[i], .wave = wave});
+    if (!results[i]) return false;
+    const std::scoped_lock lock{printing};
+    progress.clear();
+    if (!given.output.json && !(given.output.quiet && has_passed(*results[i]))) print_verdict(*results[i]);
+    progress.end(scenarios[i].name);
+    return true;
+  });
   std::vector<JunitCase> finished;
   for (std::optional<JunitCase>& result : results) {
     if (result) finished.push_back(*std::move(result));

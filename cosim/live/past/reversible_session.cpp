@@ -24,10 +24,6 @@ using Kind = SessionRequest::Kind;
 
 constexpr std::string_view kBeat = R"({"do":"beat"})";
 
-std::string text_of_json(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
 // They change nothing, so that nothing has to be repeated.
 bool is_question(const PageMessage& message) {
   return message.what() == "forward" || message.what() == "inverse";
@@ -107,7 +103,7 @@ std::string ReversibleSession::page() {
 }
 
 std::string ReversibleSession::on_opened() {
-  return text_of_json({{"hello", live_scenario(scenario_)}});
+  return compact_text({{"hello", live_scenario(scenario_)}});
 }
 
 void ReversibleSession::on_closed() {
@@ -118,7 +114,7 @@ std::string ReversibleSession::on_message(std::string_view text) try {
   last_message_ = clock_();
   return act(text);
 } catch (const MessageError& error) {
-  return text_of_json({{"error", error.what()}});
+  return compact_text({{"error", error.what()}});
 }
 
 std::string ReversibleSession::act(std::string_view text) {

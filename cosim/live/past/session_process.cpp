@@ -108,10 +108,12 @@ class SessionProcess {
   std::string finish() {
     const RunSummary summary = session_.run().finish();
     over_ = true;
-    return Json{{"cycles", summary.facts.cycles.value()}, {"ticks", summary.facts.ticks},
-                {"sha256", summary.facts.sha256},         {"failure", summary.failure.value_or("")},
-                {"interrupted", summary.interrupted},     {"overrides", session_.cell().overrides()}}
-        .dump(-1, ' ', false, Json::error_handler_t::replace);
+    return compact_text({{"cycles", summary.facts.cycles.value()},
+                         {"ticks", summary.facts.ticks},
+                         {"sha256", summary.facts.sha256},
+                         {"failure", summary.failure.value_or("")},
+                         {"interrupted", summary.interrupted},
+                         {"overrides", session_.cell().overrides()}});
   }
 
   std::string received_text() {
