@@ -25,18 +25,6 @@ std::int64_t ticks_between(Cycles from, Cycles to) {
   return ((to - from).value() + armature::kTickCycles.value() - 1) / armature::kTickCycles.value();
 }
 
-int axis_of(const FaultKind& kind) {
-  return std::visit(
-      [](const auto& fault) -> int {
-        if constexpr (requires { fault.axis; }) {
-          return static_cast<int>(fault.axis);
-        } else {
-          return 0;
-        }
-      },
-      kind);
-}
-
 }  // namespace
 
 void CampaignJudge::detect(Cycles at) {
@@ -62,7 +50,7 @@ void CampaignJudge::on_event(const Event& event, const RunPlace& place) {
 void CampaignJudge::on_action(const ScriptAction& action, const RunPlace& place) {
   const auto* fault = std::get_if<FaultSpec>(&action);
   if (fault == nullptr) return;
-  begun_.push_back({place.at, axis_of(fault->kind)});
+  begun_.push_back({place.at, fault_axis(fault->kind).value_or(0)});
   if (std::holds_alternative<Estop>(fault->kind) && !estop_) estop_ = place.at;
 }
 

@@ -34,12 +34,6 @@ std::string transform_text(const std::string& time, const std::string& parent, c
                      rotation_text(pose.linear()));
 }
 
-std::vector<const NumberColumn*> of_axes(const TraceTable& trace, std::size_t count, const char* suffix) {
-  std::vector<const NumberColumn*> columns;
-  for (std::size_t i = 1; i <= count; ++i) columns.push_back(&trace.column(fmt::format("j{}_{}", i, suffix)));
-  return columns;
-}
-
 // Columns of both cores; empty if one is missing or has other rows.
 std::vector<const NumberColumn*> of_cores(const TraceTable& load, std::size_t rows, const char* suffix) {
   std::vector<const NumberColumn*> columns;
@@ -56,14 +50,11 @@ std::vector<const NumberColumn*> of_cores(const TraceTable& load, std::size_t ro
 RowMessages::RowMessages(const RunRecord& run, const std::optional<TraceTable>& load)
     : times_{run.trace},
       rows_{run.trace.rows()},
-      sides_{{of_axes(run.trace, run.axis_count(), "enc_deg"), kJointStates, kToolPose},
-             {of_axes(run.trace, run.axis_count(), "ref_deg"), kJointSetPoints, kToolSetPoint}},
+      sides_{{run.axis_columns("enc_deg"), kJointStates, kToolPose},
+             {run.axis_columns("ref_deg"), kJointSetPoints, kToolSetPoint}},
       arm_{RecordedArm::of(run.summary)} {
   for (const RecordedFrame& frame : recorded_frames(run.summary)) {
-    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-    pose.linear() = frame.base_T_frame.rotation;
-    pose.translation() = frame.base_T_frame.position_mm;
-    frames_ += transform_text(time_text(0), "base", frame.name, pose) + ",";
+    frames_ += transform_text(time_text(0), "base", frame.name, isometry_of(frame.base_T_frame)) + ",";
   }
   if (!load) return;
   load_ = {of_cores(*load, rows_, "awake_cycles"), of_cores(*load, rows_, "bus_cycles")};

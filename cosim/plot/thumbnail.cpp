@@ -1,7 +1,5 @@
 #include "cosim/plot/thumbnail.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
@@ -56,15 +54,8 @@ std::string drawn(std::vector<ThumbnailCurve> curves, std::string_view title, bo
   return picture.document();
 }
 
-std::vector<const NumberColumn*> angles_of(const RunRecord& run) {
-  std::vector<const NumberColumn*> columns;
-  for (std::size_t i = 1; i <= run.axis_count(); ++i)
-    columns.push_back(&run.trace.column(fmt::format("j{}_enc_deg", i)));
-  return columns;
-}
-
 SpacePoints tool_points(const RunRecord& run, const RecordedArm& arm, const PathRows& rows) {
-  const std::vector<const NumberColumn*> columns = angles_of(run);
+  const std::vector<const NumberColumn*> columns = run.axis_columns("enc_deg");
   SpacePoints points;
   for (std::size_t row = rows.first; row <= rows.last; ++row) {
     PerAxis<double> angles{};
@@ -93,7 +84,7 @@ std::string path_thumbnail(const RunRecord& run, const RecordedArm& arm) {
 
 std::string joints_thumbnail(const RunRecord& run) {
   const NumberColumn& time = run.trace.column("time_s");
-  const std::vector<const NumberColumn*> columns = angles_of(run);
+  const std::vector<const NumberColumn*> columns = run.axis_columns("enc_deg");
   std::vector<ThumbnailCurve> curves;
   for (std::size_t i = 0; i < columns.size(); ++i) {
     ThumbnailCurve& curve = curves.emplace_back(ThumbnailCurve{{}, {.color = kJointColors[i % kJointColors.size()]}});

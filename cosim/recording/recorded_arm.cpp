@@ -2,7 +2,7 @@
 
 #include "controller/base/angle_units.hpp"
 #include "controller/base/math.hpp"
-#include "controller/kinematics/transform.hpp"
+#include "cosim/recording/recorded_frame.hpp"
 #include "cosim/text/json.hpp"
 
 namespace armature::cosim {
@@ -18,15 +18,6 @@ Eigen::Isometry3d turn(double angle_deg, Eigen::Index from, Eigen::Index to) {
   return turned;
 }
 
-Eigen::Isometry3d pose_of(const Json& pose) {
-  const auto number = [&](const char* key, std::size_t i) { return pose[key].at(i).get<double>(); };
-  Eigen::Isometry3d at = Eigen::Isometry3d::Identity();
-  at.linear() = rotation_from_rpy(number("rpy_deg", 0) * kRadPerDeg, number("rpy_deg", 1) * kRadPerDeg,
-                                  number("rpy_deg", 2) * kRadPerDeg);
-  at.translation() = Eigen::Vector3d{number("xyz_mm", 0), number("xyz_mm", 1), number("xyz_mm", 2)};
-  return at;
-}
-
 }  // namespace
 
 std::optional<RecordedArm> RecordedArm::of(const Json& summary) {
@@ -39,7 +30,7 @@ std::optional<RecordedArm> RecordedArm::of(const Json& summary) {
                                .offset_deg = link["offset_deg"].get<double>(),
                                .end = shift * turn(link["alpha_deg"].get<double>(), 1, 2)});
   }
-  recorded.flange_T_tool_ = pose_of(arm["tool"]);
+  recorded.flange_T_tool_ = isometry_of(recorded_pose(arm["tool"]));
   return recorded;
 }
 

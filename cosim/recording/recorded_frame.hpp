@@ -1,6 +1,7 @@
 // The frames of a run, read from the summary.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -9,6 +10,10 @@
 #include "controller/kinematics/transform.hpp"
 
 namespace armature::cosim {
+
+// Of `xyz_mm` and `rpy_deg`, as the summary has them.
+[[nodiscard]] Transform recorded_pose(const nlohmann::ordered_json& pose);
+[[nodiscard]] Eigen::Isometry3d isometry_of(const Transform& pose);
 
 struct RecordedFrame {
   std::string name;  // "base", or that of a [[frame]]

@@ -1,5 +1,7 @@
 #include "cosim/recording/run_record.hpp"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "cosim/text/input_error.hpp"
@@ -28,6 +30,12 @@ nlohmann::ordered_json parse_summary(const std::string& text, const fs::path& fi
 
 std::size_t RunRecord::axis_count() const {
   return summary["result"]["final_joint_deg"].size();
+}
+
+std::vector<const NumberColumn*> RunRecord::axis_columns(std::string_view name) const {
+  std::vector<const NumberColumn*> columns;
+  for (std::size_t i = 1; i <= axis_count(); ++i) columns.push_back(&trace.column(fmt::format("j{}_{}", i, name)));
+  return columns;
 }
 
 void require_run_folder(const fs::path& folder) {

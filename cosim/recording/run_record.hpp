@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "cosim/recording/trace_table.hpp"
 
@@ -16,6 +18,8 @@ struct RunRecord {
 
   // Axes of the robot.
   [[nodiscard]] std::size_t axis_count() const;
+  // A column of the trace for each axis: `enc_deg` stands for j1_enc_deg, j2_enc_deg and so on. It refers to `trace`.
+  [[nodiscard]] std::vector<const NumberColumn*> axis_columns(std::string_view name) const;
 };
 
 // Throws InputError when there is no such folder.
