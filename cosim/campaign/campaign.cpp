@@ -23,8 +23,8 @@
 namespace armature::cosim {
 namespace {
 
-constexpr double kLongestS = 8;    // of a run without faults
-constexpr double kMoreTime = 4.5;  // of a run with faults, which can be slower
+constexpr double kLongestRunS = 8;  // of a run without faults
+constexpr double kMoreTime = 4.5;   // of a run with faults, which can be slower
 constexpr Cycles kSlice{200 * armature::kTickCycles.value()};
 // After the last move, at most: an elastic arm may swing as long.
 constexpr Cycles kRest{2'000 * armature::kTickCycles.value()};
@@ -84,7 +84,7 @@ bool has_missed(const RunFacts& facts, const RobotSpec& robot, const PerAxis<dou
 // `end_deg`: where the moves were drawn to end, if that is known.
 std::optional<Base> run_base(const Asked& asked, CampaignCase drawn, const PerAxis<double>* end_deg) {
   drawn.faults.clear();
-  drawn.duration_s = kLongestS;
+  drawn.duration_s = kLongestRunS;
   const Scenario scenario = load(asked, drawn);
   const RobotSpec& robot = robot_of(asked.spec, drawn.robot);
   const JudgeLimits limits = judge_limits(robot);

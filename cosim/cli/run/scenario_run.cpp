@@ -60,6 +60,8 @@ void keep_pace(Pace& pace, double simulated_s) {
 // Half a millisecond of simulated time. It takes a millisecond of host time at most, a tenth of a second while a
 // waveform is written or the controller plans.
 constexpr Cycles kSlice{10 * armature::kTickCycles.value()};
+// Opens a waveform, which waits for its reader if it is a pipe. Then an interrupt is looked for, before the first tick.
+constexpr Cycles kFirstSlice{1};
 
 // Whether snapshots of the run can write its waveforms: the engine has the signals, and nobody outside talks to it.
 bool can_show_again(const Scenario& scenario, const ScenarioRunOptions& options) {
@@ -80,11 +82,12 @@ RunSummary run_scenario(const Scenario& scenario, const ScenarioRunOptions& opti
   if (options.moment_wave && can_show_again(scenario, options)) {
     snapshots.emplace(WaveSnapshots::Parts{scenario, run, listeners.golden, stop_requested}, *options.moment_wave);
   }
+  Cycles slice = kFirstSlice;
   do {
     if (stop_requested()) run.interrupt();
     if (pace) keep_pace(*pace, to_seconds(run.now()));
     if (snapshots) snapshots->after_step();
-  } while (run.advance(run.now() + kSlice));
+  } while (run.advance(run.now() + std::exchange(slice, kSlice)));
   RunSummary summary = run.finish();
   summary.host.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (options.moment_wave) {
