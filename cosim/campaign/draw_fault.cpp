@@ -28,7 +28,7 @@ const std::vector<KindKeys>& kinds() {
     std::vector<KindKeys> all;
     for_each_kind<FaultKind>([&]<class Kind>(std::type_identity<Kind>) {
       KindKeys kind{.name = fault_entry<Kind>().name, .keys = {}};
-      for (const auto& key : fault_entry<Kind>().keys) kind.keys.push_back(key.info);
+      for (const PlainKey& key : fault_entry<Kind>().keys.plain()) kind.keys.push_back(key.info);
       all.push_back(std::move(kind));
     });
     return all;

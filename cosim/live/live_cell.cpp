@@ -41,7 +41,7 @@ void set_duration(FaultKind& kind, double duration_s) {
 
 std::string toml_of(const FaultSpec& fault) {
   std::string text = fmt::format("{{at_s={},kind=\"{}\"", toml_text(fault.at_s), fault_kind_name(fault.kind));
-  for (const FaultParameter& parameter : fault_parameters(fault.kind)) {
+  for (const NamedValue& parameter : fault_parameters(fault.kind)) {
     const auto write = [&]<class Value>(const Value& value) {
       if constexpr (!std::is_same_v<Value, std::monostate>) {
         text += fmt::format(",{}={}", parameter.key, toml_text(value));

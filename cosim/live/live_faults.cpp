@@ -63,7 +63,7 @@ Json fault_kinds_json(const RobotSpec& robot) {
   for_each_kind<FaultKind>([&]<class Kind>(std::type_identity<Kind>) {
     const FaultEntry<Kind>& entry = fault_entry<Kind>();
     Json keys = Json::array();
-    for (const Key<Kind>& key : entry.keys) keys.push_back(key_json(key.info, robot));
+    for (const PlainKey& key : entry.keys.plain()) keys.push_back(key_json(key.info, robot));
     kinds.push_back({{"kind", entry.name}, {"text", entry.text}, {"keys", std::move(keys)}});
   });
   return kinds;

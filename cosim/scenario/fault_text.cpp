@@ -25,12 +25,8 @@ std::string fault_text(const FaultSpec& fault) {
                     [](const auto& kind, const auto& entry) { return std::string{entry.name} + entry.details(kind); });
 }
 
-std::vector<FaultParameter> fault_parameters(const FaultKind& kind) {
-  return with_entry(kind, [](const auto& fault, const auto& entry) {
-    std::vector<FaultParameter> parameters;
-    for (const auto& key : entry.keys) parameters.push_back({key.info.name, key.value(fault)});
-    return parameters;
-  });
+std::vector<NamedValue> fault_parameters(const FaultKind& kind) {
+  return with_entry(kind, [](const auto& fault, const auto& entry) { return entry.keys.values(fault); });
 }
 
 }  // namespace armature::cosim

@@ -16,11 +16,7 @@ namespace armature::cosim {
 // `pulse_loss of axis 3, 500 pulses`
 [[nodiscard]] std::string fault_text(const FaultSpec& fault);
 
-struct FaultParameter {
-  std::string_view key;
-  KeyValue value;
-};
 // The keys that only faults of this kind have, with their values, in the order of KEYS.md.
-[[nodiscard]] std::vector<FaultParameter> fault_parameters(const FaultKind& kind);
+[[nodiscard]] std::vector<NamedValue> fault_parameters(const FaultKind& kind);
 
 }  // namespace armature::cosim

@@ -1,102 +1,99 @@
-// The entries of a table, in the order of the documents. A table reads itself from a file with them.
+// The entries of a table, in the order of the documents. A table reads itself from a file with them. As in key.hpp, the
+// templates only add the type of the struct.
 #pragma once
 
-#include <algorithm>
+#include <concepts>
 #include <cstddef>
-#include <functional>
+#include <initializer_list>
 #include <optional>
-#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "cosim/scenario/keys/key.hpp"
-#include "cosim/scenario/keys/table_keys.hpp"
+#include "cosim/scenario/keys/plain_table.hpp"
 
 namespace armature::cosim {
 
 // A table within the table of a Spec.
 template <class Spec>
-struct SubTable {
-  TableInfo info;
-  std::function<void(TableReader& parent, const KeyContext&, Spec&)> read;
+class SubTable {
+ public:
+  // The caller states that the entry is one of a Spec.
+  explicit SubTable(PlainSubTable plain) : plain_(std::move(plain)) {}
 
-  SubTable needing(Needs what) && {
-    info.needs = what;
+  [[nodiscard]] const PlainSubTable& plain() const { return plain_; }
+
+  SubTable&& needing(Needs what) && {
+    plain_.info.needs = what;
     return std::move(*this);
   }
+
+ private:
+  PlainSubTable plain_;
 };
 
 // A check of several keys of a table.
 template <class Spec>
-struct TableCheck {
-  std::vector<std::string_view> keys;  // the check is called if each of these is valid by itself
-  std::function<void(TableReader&, const KeyContext&, Spec&)> check;
+class TableCheck {
+ public:
+  // check(reader, context, spec) is called if each of the keys is valid by itself.
+  template <class Check>
+  requires std::invocable<Check, TableReader&, const KeyContext&, Spec&> TableCheck(
+      std::initializer_list<std::string_view> keys, Check check)
+      : plain_{keys, [check](TableReader& table, const KeyContext& context, void* spec) {
+                 check(table, context, *static_cast<Spec*>(spec));
+               }} {}
+
+  [[nodiscard]] const PlainTableCheck& plain() const { return plain_; }
+
+ private:
+  PlainTableCheck plain_;
 };
+
+namespace key_detail {
+
+// Entries of type Plain that belong to the struct of Entry.
+template <class Entry, class Plain>
+class Entries {
+ public:
+  Entries() = default;
+  Entries(std::initializer_list<Entry> entries) {
+    for (const Entry& entry : entries) plain_.push_back(entry.plain());
+  }
+  [[nodiscard]] const std::vector<Plain>& plain() const { return plain_; }
+
+ private:
+  std::vector<Plain> plain_;
+};
+
+}  // namespace key_detail
 
 template <class Spec>
 struct KeyTable {
   std::string_view text;  // what the table is for: sentences in Markdown
-  std::vector<Key<Spec>> keys;
-  std::vector<SubTable<Spec>> tables{};
-  std::vector<TableCheck<Spec>> checks{};
+  Keys<Spec> keys;
+  key_detail::Entries<SubTable<Spec>, PlainSubTable> tables{};
+  key_detail::Entries<TableCheck<Spec>, PlainTableCheck> checks{};
 
   void read(TableReader& table, const KeyContext& context, Spec& spec) const {
     if constexpr (requires { spec.line = table.line(); }) spec.line = table.line();
     const std::vector<std::string_view> bad = read_keys(table, context, spec);
     read_tables(table, context, spec);
-    for (const TableCheck<Spec>& one : checks) {
-      if (std::ranges::find_first_of(one.keys, bad) == one.keys.end()) one.check(table, context, spec);
-    }
+    check_plain_table(checks.plain(), bad, table, context, &spec);
   }
 
   // The two parts of read(), for a file whose tables depend on what its keys name. Returns the keys that are missing or
   // wrong.
-  std::vector<std::string_view> read_keys(TableReader& table, const KeyContext& context, Spec& spec) const;
-  void read_tables(TableReader& table, const KeyContext& context, Spec& spec) const;
-
-  [[nodiscard]] TableInfo info() const {
-    TableInfo all;
-    all.text = text;
-    for (const Key<Spec>& key : keys) all.keys.push_back(key.info);
-    for (const SubTable<Spec>& table : tables) all.tables.push_back(table.info);
-    return all;
+  std::vector<std::string_view> read_keys(TableReader& table, const KeyContext& context, Spec& spec) const {
+    return read_plain_keys(keys.plain(), table, context, &spec);
   }
+  void read_tables(TableReader& table, const KeyContext& context, Spec& spec) const {
+    read_plain_tables(tables.plain(), table, context, &spec);
+  }
+
+  [[nodiscard]] TableInfo info() const { return plain_table_info(text, keys.plain(), tables.plain()); }
 };
-
-template <class Spec>
-std::vector<std::string_view> KeyTable<Spec>::read_keys(TableReader& table, const KeyContext& context,
-                                                        Spec& spec) const {
-  std::vector<const KeyInfo*> entries;
-  for (const Key<Spec>& key : keys) entries.push_back(&key.info);
-  TableKeys rules{table, std::move(entries), context};
-  std::vector<const Key<Spec>*> set;
-  std::vector<std::string_view> bad;
-  for (const Key<Spec>& key : keys) {
-    if (!key.read || !rules.exists(key.info)) continue;
-    const Need need = rules.need(key.info);
-    if (key.read(table, rules.rule(key.info), need, spec)) {
-      set.push_back(&key);
-    } else if (table.has(key.info.name) || need == Need::kRequired) {
-      bad.push_back(key.info.name);
-    }
-  }
-  rules.report();
-  for (const Key<Spec>* key : set) {
-    const std::string why = key->check ? key->check(spec, context) : std::string{};
-    if (!why.empty()) table.problem(key->info.name, why);
-  }
-  return bad;
-}
-
-template <class Spec>
-void KeyTable<Spec>::read_tables(TableReader& table, const KeyContext& context, Spec& spec) const {
-  for (const SubTable<Spec>& sub : tables) {
-    sub.read(table, context, spec);
-    if (!table.has(sub.info.name)) continue;
-    if (const std::string lack = context.lack_of(sub.info.needs); !lack.empty()) table.problem(sub.info.name, lack);
-  }
-}
 
 namespace key_detail {
 
@@ -109,43 +106,37 @@ T& emplaced(std::optional<T>& value) {
   return value ? *value : value.emplace();
 }
 
-template <class Inner>
-[[nodiscard]] TableInfo named_info(const KeyTable<Inner>& keys, std::string_view name) {
-  TableInfo info = keys.info();
-  info.name = name;
-  return info;
+// [name] with the keys of an Inner, into a member; without what depends on whether it is a list.
+template <class Spec, class Member, class Inner>
+[[nodiscard]] PlainSubTable sub_table(std::string_view name, Member Spec::*member, const KeyTable<Inner>& keys) {
+  PlainSubTable sub{.info = keys.info(), .place = place_of(member), .keys = &keys};
+  sub.info.name = name;
+  sub.emplaced = [](void* place) -> void* { return &emplaced(*static_cast<Member*>(place)); };
+  sub.read = [](const void* table, TableReader& reader, const KeyContext& context, void* spec) {
+    static_cast<const KeyTable<Inner>*>(table)->read(reader, context, *static_cast<Inner*>(spec));
+  };
+  return sub;
 }
 
 }  // namespace key_detail
 
 // [name], into a member that is an Inner or an optional one.
 template <class Spec, class Member, class Inner>
+requires std::same_as<Member, Inner> || std::same_as<Member, std::optional<Inner>>
 [[nodiscard]] SubTable<Spec> table(std::string_view name, Member Spec::*member, const KeyTable<Inner>& keys) {
-  return {key_detail::named_info(keys, name),
-          [name, member, &keys](TableReader& parent, const KeyContext& context, Spec& spec) {
-            parent.table(name,
-                         [&](TableReader& reader) { keys.read(reader, context, key_detail::emplaced(spec.*member)); });
-          }};
+  return SubTable<Spec>{key_detail::sub_table(name, member, keys)};
 }
 
 // [[name]], into a member that is a vector or an optional one; at most `most` tables where it is not 0.
 template <class Spec, class Member, class Inner>
+requires std::same_as<Member, std::vector<Inner>> || std::same_as<Member, std::optional<std::vector<Inner>>>
 [[nodiscard]] SubTable<Spec> tables(std::string_view name, Member Spec::*member, const KeyTable<Inner>& keys,
                                     std::size_t most = 0) {
-  SubTable<Spec> sub{key_detail::named_info(keys, name),
-                     [name, member, &keys, most](TableReader& parent, const KeyContext& context, Spec& spec) {
-                       if (!parent.has(name)) {
-                         parent.declare(name);
-                         return;
-                       }
-                       auto& list = key_detail::emplaced(spec.*member);  // also when the array is empty
-                       parent.tables(
-                           name, [&](TableReader& reader) { keys.read(reader, context, list.emplace_back()); },
-                           most == 0 ? kMaxTables : most);
-                     }};
+  PlainSubTable sub = key_detail::sub_table(name, member, keys);
   sub.info.repeated = true;
   sub.info.most = most;
-  return sub;
+  sub.added = [](void* list) -> void* { return &static_cast<std::vector<Inner>*>(list)->emplace_back(); };
+  return SubTable<Spec>{std::move(sub)};
 }
 
 }  // namespace armature::cosim

@@ -5,12 +5,18 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 
 namespace armature::cosim {
 
 // std::monostate: the key is not written and has no default.
 using KeyValue = std::variant<std::monostate, bool, std::int64_t, double, std::string>;
+
+struct NamedValue {
+  std::string_view key;
+  KeyValue value;
+};
 
 template <class T>
 concept ScalarKey = std::integral<T> || std::same_as<T, double> || std::same_as<T, std::string>;

@@ -22,9 +22,9 @@ template <class Kind>
 struct MoveEntry {
   std::string_view name;                           // the value of the key `type`
   Command (*command)(const Kind&, Tag) = nullptr;  // for the controller
-  std::string_view text;          // what the controller does: a main clause in Markdown, without its full stop
-  bool queued = false;            // it waits in the queue of moves: moves of the arm, and commands for the tool's pins
-  std::vector<Key<Kind>> keys{};  // those of this kind alone
+  std::string_view text;  // what the controller does: a main clause in Markdown, without its full stop
+  bool queued = false;    // it waits in the queue of moves: moves of the arm, and commands for the tool's pins
+  Keys<Kind> keys{};      // those of this kind alone
   std::string (*details)(const Kind&) = nullptr;  // what follows the name in the log: ` 30 %`; null: nothing
 };
 

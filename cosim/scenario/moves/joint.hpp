@@ -89,7 +89,7 @@ template <>
                  "whichever is shorter. The joint is the one that moves farthest.")
                  .replaces("blend_deg")},
     };
-    append_pose_keys(entry.keys, &JointSpec::pose, configuration_keys());
+    entry.keys.append_parts(&JointSpec::pose, configuration_keys());
     return entry;
   }();
   return kEntry;

@@ -39,7 +39,7 @@ inline constexpr double kMaxToleranceDeg = 30;  // less than CartesianMove::kMax
 }
 
 // The keys of its motion: without its end.
-[[nodiscard]] inline std::vector<Key<PathSpec>> path_motion_keys() {
+[[nodiscard]] inline Keys<PathSpec> path_motion_keys() {
   return {
       profile_key(&PathSpec::profile, "Shape of the speed over time. `scurve` limits the jerk."),
       key("speed_mm_s", &PathSpec::speed_mm_s, above(0, kMaxSpeed, "mm/s"), "Largest speed of the tool centre point."),
@@ -86,8 +86,8 @@ inline constexpr double kMaxToleranceDeg = 30;  // less than CartesianMove::kMax
 }
 
 // All keys, those of its end included.
-[[nodiscard]] inline std::vector<Key<PathSpec>> path_keys() {
-  std::vector<Key<PathSpec>> keys{
+[[nodiscard]] inline Keys<PathSpec> path_keys() {
+  Keys<PathSpec> keys{
       part(&PathSpec::pose,
            xyz_key("Position of the tool centre point at the end of a line, arc or spline. A circle passes "
                    "this point and ends where it began.")
@@ -95,23 +95,23 @@ inline constexpr double kMaxToleranceDeg = 30;  // less than CartesianMove::kMax
       part(&PathSpec::pose, rpy_key()),
       part(&PathSpec::pose, pose_frame_key("xyz_mm", OnConveyor::kYes)),
   };
-  for (Key<PathSpec>& key : path_motion_keys()) keys.push_back(std::move(key));
-  append_pose_keys(keys, &PathSpec::pose, configuration_keys());
+  keys.append(path_motion_keys());
+  keys.append_parts(&PathSpec::pose, configuration_keys());
   return keys;
 }
 
 // The keys of the member `path` of `Kind`.
 template <class Kind>
-[[nodiscard]] std::vector<Key<Kind>> keys_of_path() {
-  std::vector<Key<Kind>> keys;
-  for (Key<PathSpec>& key : path_keys()) keys.push_back(part(&Kind::path, std::move(key)));
+[[nodiscard]] Keys<Kind> keys_of_path() {
+  Keys<Kind> keys;
+  keys.append_parts(&Kind::path, path_keys());
   return keys;
 }
 
 // The same for a path through a second point.
 template <class Kind>
-[[nodiscard]] std::vector<Key<Kind>> keys_of_path_via() {
-  std::vector<Key<Kind>> keys = keys_of_path<Kind>();
+[[nodiscard]] Keys<Kind> keys_of_path_via() {
+  Keys<Kind> keys = keys_of_path<Kind>();
   keys.push_back(key("via_mm", &Kind::via_mm, target_place(),
                      "Point that the tool centre point passes between its start and `xyz_mm`.")
                      .required());
@@ -121,10 +121,10 @@ template <class Kind>
 // The keys of the orientation at the end, and those of the motion, for a path whose end follows from a place that the
 // key `place` gives.
 template <class Kind>
-[[nodiscard]] std::vector<Key<Kind>> keys_of_path_from(std::string_view place) {
-  std::vector<Key<Kind>> keys{part(&Kind::path, part(&PathSpec::pose, rpy_key(place))),
-                              part(&Kind::path, part(&PathSpec::pose, pose_frame_key(place, OnConveyor::kYes)))};
-  for (Key<PathSpec>& key : path_motion_keys()) keys.push_back(part(&Kind::path, std::move(key)));
+[[nodiscard]] Keys<Kind> keys_of_path_from(std::string_view place) {
+  Keys<Kind> keys{part(&Kind::path, part(&PathSpec::pose, rpy_key(place))),
+                  part(&Kind::path, part(&PathSpec::pose, pose_frame_key(place, OnConveyor::kYes)))};
+  keys.append_parts(&Kind::path, path_motion_keys());
   return keys;
 }
 

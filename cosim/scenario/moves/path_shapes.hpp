@@ -115,7 +115,7 @@ template <>
                      .checked(kCheckAngle),
                  key("advance_mm", &ArcAboutSpec::advance_mm, target_place(),
                      "Distance along the axis during the whole move.")}};
-    for (Key<ArcAboutSpec>& key : keys_of_path_from<ArcAboutSpec>(kPlace)) entry.keys.push_back(std::move(key));
+    entry.keys.append(keys_of_path_from<ArcAboutSpec>(kPlace));
     return entry;
   }();
   return kEntry;

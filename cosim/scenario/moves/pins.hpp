@@ -12,7 +12,7 @@ namespace armature::cosim {
 
 // The keys of a command for a pin of the tool.
 template <class Kind>
-[[nodiscard]] std::vector<Key<Kind>> pin_keys() {
+[[nodiscard]] Keys<Kind> pin_keys() {
   return {pin_key<Kind>("Number of the output or input."),
           level_key<Kind>("Level of the output, or level that the wait ends at: 0 is low, 1 is high.")};
 }

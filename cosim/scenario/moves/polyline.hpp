@@ -22,11 +22,12 @@ struct PolylineSpec {
 };
 
 // The keys of its speed and its corners, and the frame of the points.
-[[nodiscard]] inline std::vector<Key<PathSpec>> polyline_keys() {
+[[nodiscard]] inline Keys<PathSpec> polyline_keys() {
   constexpr std::array<std::string_view, 3> kShared{"speed_mm_s", "accel_mm_s2", "blend_mm"};
-  std::vector<Key<PathSpec>> keys;
-  for (Key<PathSpec>& key : path_keys()) {
-    if (std::ranges::find(kShared, key.info.name) != kShared.end()) keys.push_back(std::move(key));
+  Keys<PathSpec> keys;
+  const Keys<PathSpec> all = path_keys();
+  for (const PlainKey& key : all.plain()) {
+    if (std::ranges::find(kShared, key.info.name) != kShared.end()) keys.push_back(Key<PathSpec>{key});
   }
   keys.push_back(part(&PathSpec::pose, key("frame", &PoseTarget::frame_name, anything(),
                                            "Frame of the points: `base` or the name of a `[[frame]]`.")
@@ -61,7 +62,7 @@ template <>
                      "for each point, at most 100000.")
                      .required()
                      .needs(Needs::kKinematics)}};
-    for (Key<PathSpec>& key : polyline_keys()) entry.keys.push_back(part(&PolylineSpec::path, std::move(key)));
+    entry.keys.append_parts(&PolylineSpec::path, polyline_keys());
     return entry;
   }();
   return kEntry;

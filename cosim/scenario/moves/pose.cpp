@@ -68,7 +68,7 @@ Key<PoseTarget> pose_frame_key(std::string_view place, OnConveyor on_conveyor) {
       });
 }
 
-std::vector<Key<PoseTarget>> configuration_keys() {
+Keys<PoseTarget> configuration_keys() {
   constexpr auto kCheckWrist = [](PoseTarget& pose, const KeyContext& context) -> std::string {
     const RobotSpec* robot = context.robot.spec;
     if (robot == nullptr || robot->axis_count == kAxes || pose.wrist == WristSide::kNearest) return {};

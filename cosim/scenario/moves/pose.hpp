@@ -52,12 +52,7 @@ enum class OnConveyor { kNo, kYes };
                                              OnConveyor on_conveyor = OnConveyor::kNo);
 
 // The keys of the configuration of the arm at a pose.
-[[nodiscard]] std::vector<Key<PoseTarget>> configuration_keys();
-// Appends keys of the member `pose`.
-template <class Kind>
-void append_pose_keys(std::vector<Key<Kind>>& keys, PoseTarget Kind::*pose, std::vector<Key<PoseTarget>> added) {
-  for (Key<PoseTarget>& key : added) keys.push_back(part(pose, std::move(key)));
-}
+[[nodiscard]] Keys<PoseTarget> configuration_keys();
 
 [[nodiscard]] FramedPose to_framed_pose(const PoseTarget& target);
 

@@ -22,7 +22,7 @@ template <class Kind>
 struct FaultEntry {
   std::string_view name;                // the value of the key `kind`
   std::string_view text;                // what happens: a main clause in Markdown, without its full stop
-  std::vector<Key<Kind>> keys;          // of scalar values; those of this kind alone
+  Keys<Kind> keys;                      // of scalar values; those of this kind alone
   std::string (*details)(const Kind&);  // what follows the name on screen and in the log: ` of axis 3, 500 pulses`
 };
 

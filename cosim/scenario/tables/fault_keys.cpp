@@ -10,7 +10,7 @@ namespace armature::cosim {
 
 namespace {
 
-std::vector<Key<FaultSpec>> condition_keys() {
+Keys<FaultSpec> condition_keys() {
   constexpr double kMaxDeg = 36'000, kMaxDegS = 100'000;
   return {
       named_key("when", &FaultSpec::when,
@@ -47,7 +47,7 @@ const KeyTable<FaultSpec>& fault_keys() {
                  kind_key<FaultSpec>(kKindKey, "What fails.", kEntryOf)},
     };
     add_kind_keys(table.keys, kKindKey, kEntryOf);
-    for (Key<FaultSpec>& key : condition_keys()) table.keys.push_back(std::move(key));
+    table.keys.append(condition_keys());
     return table;
   }();
   return kTable;

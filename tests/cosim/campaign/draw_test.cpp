@@ -63,7 +63,7 @@ TEST(CampaignDraw, DrawsEveryKindOfFaultWithValuesThatTheLoaderTakes) {
       const Scenario scenario = load_case(drawn, folder.path(), test::shipped());
       const FaultKind& kind = scenario.faults.at(0).kind;
       ++taken[fault_kind_name(kind)];
-      for (const FaultParameter& parameter : fault_parameters(kind)) {
+      for (const NamedValue& parameter : fault_parameters(kind)) {
         values[parameter.key].insert(fault_text(scenario.faults.at(0)));
       }
     } catch (const InputError&) {

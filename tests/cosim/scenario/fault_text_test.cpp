@@ -18,7 +18,7 @@ using Parameters = std::vector<std::pair<std::string, KeyValue>>;
 
 Parameters parameters(const FaultKind& kind) {
   Parameters list;
-  for (const FaultParameter& parameter : fault_parameters(kind)) list.emplace_back(parameter.key, parameter.value);
+  for (const NamedValue& parameter : fault_parameters(kind)) list.emplace_back(parameter.key, parameter.value);
   return list;
 }
 

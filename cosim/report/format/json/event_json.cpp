@@ -177,7 +177,7 @@ Json event_json(const BusAbortEvent& abort) {
 
 Json event_json(const InjectedFault& fault) {
   Json json = {{"kind", fault_kind_name(fault.spec.kind)}, {"cycle", fault.when.at.value()}, {"tick", fault.when.tick}};
-  for (const FaultParameter& parameter : fault_parameters(fault.spec.kind)) {
+  for (const NamedValue& parameter : fault_parameters(fault.spec.kind)) {
     json[std::string{parameter.key}] = key_json(parameter.value);
   }
   if (std::holds_alternative<PulseLoss>(fault.spec.kind)) {
