@@ -11,6 +11,7 @@ encoder/encoder_reg_pkg.sv
 encoder_switch/encoder_switch_reg_pkg.sv
 ik_cordic/ik_cordic_reg_pkg.sv
 ik_cordic/ik_pkg.sv
+policy_mlp/policy_mlp_reg_pkg.sv
 pulse_train/pulse_train_reg_pkg.sv
 pulse_width/pulse_width_reg_pkg.sv
 
@@ -46,6 +47,11 @@ ik_cordic/ik_multiplier.sv
 ik_cordic/ik_program.sv
 ik_cordic/ik_results.sv
 ik_cordic/ik_root.sv
+policy_mlp/policy_crc.sv
+policy_mlp/policy_memory.sv
+policy_mlp/policy_mlp_reg_top.sv
+policy_mlp/policy_neuron.sv
+policy_mlp/policy_values.sv
 pulse_train/commit_bank.sv
 pulse_train/pulse_gen.sv
 pulse_train/pulse_train_reg_top.sv
@@ -61,6 +67,7 @@ axi_uart16550/uart_core.sv
 encoder/encoder_core.sv
 ik_cordic/cordic.sv
 ik_cordic/ik_core.sv
+policy_mlp/policy_core.sv
 pulse_train/pulse_train_core.sv
 pulse_width/pulse_width_core.sv
 
@@ -71,6 +78,7 @@ axi_uart16550/axi_uart16550.sv
 encoder/encoder.sv
 encoder_switch/encoder_switch.sv
 ik_cordic/ik_cordic.sv
+policy_mlp/policy_mlp.sv
 pulse_train/pulse_train.sv
 pulse_width/pulse_width.sv
 

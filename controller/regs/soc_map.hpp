@@ -10,10 +10,10 @@ namespace armature::regs::soc {
 
 inline constexpr std::uint32_t kClkFreqHz = 50'000'000;
 inline constexpr std::uint32_t kTickCycles = 2'500;
-inline constexpr std::uint32_t kNumBlocks = 6;
+inline constexpr std::uint32_t kNumBlocks = 7;
 inline constexpr std::uint32_t kNumPaperBlocks = 6;
 inline constexpr std::uint32_t kNumAxes = 6;
-inline constexpr std::uint32_t kNumIrqs = 4;
+inline constexpr std::uint32_t kNumIrqs = 5;
 
 // AXI GPIO: 16 outputs and 16 inputs for end-effector tools.
 inline constexpr std::uint32_t kAxiGpioBase = 0x41200000;
@@ -51,6 +51,11 @@ inline constexpr std::uint32_t kIkCordicBase = 0x43C40000;
 inline constexpr std::uint32_t kIkCordicSize = 0x10000;
 inline constexpr std::uint32_t kIkCordicIrq = 3;  // bit of irq_o
 
+// Multi-layer perceptron of 8-bit integers: a learned correction of joint speeds.
+inline constexpr std::uint32_t kPolicyMlpBase = 0x43C50000;
+inline constexpr std::uint32_t kPolicyMlpSize = 0x10000;
+inline constexpr std::uint32_t kPolicyMlpIrq = 4;  // bit of irq_o
+
 // All blocks.
 struct Block {
   std::string_view name;
@@ -67,6 +72,7 @@ inline constexpr Block kBlocks[]{
     {.name = "encoder", .base = kEncoderBase, .size = kEncoderSize, .variant = ""},
     {.name = "encoder_switch", .base = kEncoderSwitchBase, .size = kEncoderSwitchSize, .variant = "paper"},
     {.name = "ik_cordic", .base = kIkCordicBase, .size = kIkCordicSize, .variant = "counts"},
+    {.name = "policy_mlp", .base = kPolicyMlpBase, .size = kPolicyMlpSize, .variant = "counts"},
 };
 
 }  // namespace armature::regs::soc

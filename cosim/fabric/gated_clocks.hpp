@@ -7,8 +7,10 @@
 namespace armature::cosim {
 
 // The bits of active_o.
-inline constexpr unsigned kIoClock = 1, kMotionClock = 2, kEncoderClock = 4, kBusClock = 8, kIkClock = 16;
-inline constexpr unsigned kAllGatedClocks = kIoClock | kMotionClock | kEncoderClock | kBusClock | kIkClock;
+inline constexpr unsigned kIoClock = 1, kMotionClock = 2, kEncoderClock = 4, kBusClock = 8, kIkClock = 16,
+                          kPolicyClock = 32;
+inline constexpr unsigned kAllGatedClocks =
+    kIoClock | kMotionClock | kEncoderClock | kBusClock | kIkClock | kPolicyClock;
 
 // The clocks that rise together.
 struct Clocks {
@@ -22,6 +24,7 @@ struct Clocks {
   [[nodiscard]] bool clk_encoder_i() const { return (gated & kEncoderClock) != 0; }
   [[nodiscard]] bool clk_bus_i() const { return (gated & kBusClock) != 0; }
   [[nodiscard]] bool clk_ik_i() const { return (gated & kIkClock) != 0; }
+  [[nodiscard]] bool clk_policy_i() const { return (gated & kPolicyClock) != 0; }
 };
 
 // The gated clocks that the levels of input pins need, besides active_o. That depends on flops only, so it does not see
@@ -48,6 +51,7 @@ void set_clocks(Model& model, Clocks clocks) {
   model.clk_encoder_i = clocks.clk_encoder_i();
   model.clk_bus_i = clocks.clk_bus_i();
   model.clk_ik_i = clocks.clk_ik_i();
+  model.clk_policy_i = clocks.clk_policy_i();
 }
 
 // A clock edge with Verilator's eval(). The clock pins are 0 before and after it.

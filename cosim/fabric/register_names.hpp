@@ -103,6 +103,18 @@ inline constexpr RegisterName kRegisterNames[] = {
     {0x43C40080, 3, true, false, "ik_cordic.position"},
     {0x43C40090, 3, true, false, "ik_cordic.previous"},
     {0x43C40100, 48, true, false, "ik_cordic.theta"},
+    {0x43C50000, 1, true, false, "policy_mlp.id"},
+    {0x43C50004, 1, true, false, "policy_mlp.ctrl"},
+    {0x43C50008, 1, true, false, "policy_mlp.status"},
+    {0x43C5000C, 1, true, false, "policy_mlp.event"},
+    {0x43C50010, 1, true, false, "policy_mlp.cycles"},
+    {0x43C50014, 1, true, false, "policy_mlp.bound"},
+    {0x43C50018, 1, true, false, "policy_mlp.crc"},
+    {0x43C5001C, 1, true, false, "policy_mlp.crc_read"},
+    {0x43C50020, 1, true, false, "policy_mlp.address"},
+    {0x43C50024, 1, true, false, "policy_mlp.data"},
+    {0x43C50040, 8, true, false, "policy_mlp.input"},
+    {0x43C50060, 2, true, false, "policy_mlp.output"},
 };
 // clang-format on
 

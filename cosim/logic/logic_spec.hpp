@@ -30,8 +30,8 @@ inline constexpr std::string_view kEngineHelp =
     "`lockstep`: both, and the run fails at the first clock edge after which a pin differs. Results do not depend on "
     "it.";
 
-// The blocks that share a gated clock: a bit of active_o. The crossbar and ik_cordic, which have the bits after them,
-// are not among them.
+// The blocks that share a gated clock: a bit of active_o. The crossbar, ik_cordic and policy_mlp, which have the bits
+// after them, are not among them.
 enum class ClockGroup : std::uint8_t {
   kIo,       // axi_gpio and axi_uart16550
   kMotion,   // axi_timer and pulse_train; variant paper: axi_timer, pulse_width and encoder_switch

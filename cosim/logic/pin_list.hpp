@@ -36,7 +36,7 @@ inline constexpr Pin kPins[] = {
     input_pin<&SocInputs::capture_trig>("capture_trig_i", 1),
     output_pin<&SocOutputs::pwm>("pwm_o", 1),
     output_pin<&SocOutputs::trigger>("trigger_o", 1),
-    output_pin<&SocOutputs::irq>("irq_o", 4),
+    output_pin<&SocOutputs::irq>("irq_o", 5),
 };
 // clang-format on
 

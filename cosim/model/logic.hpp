@@ -77,13 +77,13 @@ class Logic {
       return is;
     };
     const bool gpio = is_due(0), timer = is_due(1), uart = is_due(2), generators = is_due(3), decoders = is_due(4),
-               kinematics = is_due(5);
+               kinematics = is_due(5), policy = is_due(6);
     // All inputs are levels before the edge: outputs_ changes after it.
     if (gpio) gpio_.edge(now_, gpio_inputs(), {});
     if (timer) timer_.edge(now_, timer_inputs(), {});
     if (uart) uart_.edge(now_, uart_inputs(), {});
     if (generators) pulses_.edge(now_, pulse_inputs(), {});
-    if (decoders || kinematics) {
+    if (decoders || kinematics || policy) {
       const std::array<Strobes, kBlocks - 4> none;
       std::array<Answer, kBlocks - 4> answers;
       variant_.edge(now_, in_, decoder_inputs(), none.data(), answers.data());
@@ -96,6 +96,7 @@ class Logic {
     if (generators || changed) wakes_[3] = pulses_.wakes_at(now_, pulse_inputs());
     if (decoders || changed) wakes_[4] = variant_.wakes_at(now_, in_, decoder_inputs());
     if (kinematics) wakes_[5] = variant_.ik_wakes_at();
+    if (policy) wakes_[6] = variant_.policy_wakes_at();
     next_wake_ = std::ranges::min(wakes_);
     return changed;
   }
@@ -106,8 +107,7 @@ class Logic {
     return wakes_at() > next ? this->access(port, next, access, answer) : edge_of_all(port, access, answer);
   }
 
-  // The edge `at`, before wakes_at(), with an access at this port only. A controller accesses registers so often that a
-  // call would cost as much as the work.
+  // The edge `at`, before wakes_at(), with an access at this port only. So frequent that a call would cost as much.
   [[gnu::always_inline]] bool access(std::size_t port, Cycles at, const Strobes& access, Answer& answer) {
     pass(at - Cycles{1});
     if (port >= kQuickPorts) return edge_of_all(port, access, answer);
@@ -137,7 +137,7 @@ class Logic {
         if constexpr (kQuickPorts > 4) of(variant_.decoder());
         return false;  // it has no output
       default:
-        if constexpr (Variant::kHasIk) of(variant_.ik());
+        if constexpr (Variant::kHasIk) port == 5 ? of(variant_.ik()) : of(variant_.policy());
         return false;  // its interrupt follows at the next edge
     }
     if (!shows || !show_outputs(1u << port)) return false;
@@ -236,7 +236,8 @@ class Logic {
               uart_.wakes_at(now_, uart_inputs()),
               pulses_.wakes_at(now_, pulse_inputs()),
               variant_.wakes_at(now_, in_, decoder_inputs()),
-              variant_.ik_wakes_at()};
+              variant_.ik_wakes_at(),
+              variant_.policy_wakes_at()};
     next_wake_ = std::ranges::min(wakes_);
     wakes_known_ = true;
   }
@@ -278,7 +279,8 @@ class Logic {
     show(outputs_.irq, static_cast<std::uint8_t>(irq(gpio_.block().irq(), regs::soc::kAxiGpioIrq) |
                                                  irq(timer_.block().irq(), regs::soc::kAxiTimerIrq) |
                                                  irq(uart_.block().irq(), regs::soc::kAxiUart16550Irq) |
-                                                 irq(variant_.ik_irq(), regs::soc::kIkCordicIrq)));
+                                                 irq(variant_.ik_irq(), regs::soc::kIkCordicIrq) |
+                                                 irq(variant_.policy_irq(), regs::soc::kPolicyMlpIrq)));
     return changed;
   }
 
@@ -290,8 +292,8 @@ class Logic {
   Variant variant_;
   SocOutputs outputs_;
   Cycles now_{};
-  // The next edges that the blocks must compute, by port; [4] is of all decoders, [5] of ik_cordic.
-  mutable std::array<Cycles, 6> wakes_{};
+  // The next edges that the blocks must compute, by port; [4] is of all decoders, [5] of ik_cordic, [6] of policy_mlp.
+  mutable std::array<Cycles, 7> wakes_{};
   mutable Cycles next_wake_{};  // the earliest of them
   mutable bool wakes_known_ = false;
 };

@@ -3,7 +3,7 @@
 //   kBases       base addresses of all blocks: gpio, timer, uart, pulses, then those of edge()
 //   edge()       the edge `at` of the other blocks, with the accesses and answers of kBases[4], kBases[5] ...
 //   wakes_at()   the next edge that a decoder must compute, after the edge `now`
-//   ik_wakes_at(), ik_irq()   of ik_cordic, if there is one
+//   ik_wakes_at(), ik_irq()   of ik_cordic, if there is one; policy_wakes_at(), policy_irq() of policy_mlp
 #pragma once
 
 #include <algorithm>
@@ -17,6 +17,7 @@
 #include "cosim/model/ik_cordic/ik_cordic.hpp"
 #include "cosim/model/paper/encoder_switch.hpp"
 #include "cosim/model/paper/pulse_width.hpp"
+#include "cosim/model/policy_mlp/policy_mlp.hpp"
 #include "cosim/model/pulse_train/pulse_train.hpp"
 #include "cosim/model/slot.hpp"
 
@@ -32,23 +33,29 @@ class CountsVariant {
  public:
   using Pulses = PulseTrain;
   static constexpr bool kHasIk = true;
-  static constexpr std::array kBases{regs::soc::kAxiGpioBase,    regs::soc::kAxiTimerBase, regs::soc::kAxiUart16550Base,
-                                     regs::soc::kPulseTrainBase, regs::soc::kEncoderBase,  regs::soc::kIkCordicBase};
+  static constexpr std::array kBases{regs::soc::kAxiGpioBase,      regs::soc::kAxiTimerBase,
+                                     regs::soc::kAxiUart16550Base, regs::soc::kPulseTrainBase,
+                                     regs::soc::kEncoderBase,      regs::soc::kIkCordicBase,
+                                     regs::soc::kPolicyMlpBase};
 
   void edge(Cycles at, const SocInputs& pins, const DecoderInputs& in, const Strobes* access, Answer* answers) {
     answers[0] = encoder_.edge(at, inputs(pins, in), access[0]);
     answers[1] = ik_.edge(at, {}, access[1]);
+    answers[2] = policy_.edge(at, {}, access[2]);
   }
   [[nodiscard]] Cycles wakes_at(Cycles now, const SocInputs& pins, const DecoderInputs& in) const {
     return encoder_.wakes_at(now, inputs(pins, in));
   }
   [[nodiscard]] Cycles ik_wakes_at() const { return ik_.block().wakes_at(); }
   [[nodiscard]] bool ik_irq() const { return ik_.block().irq(); }
+  [[nodiscard]] Cycles policy_wakes_at() const { return policy_.block().wakes_at(); }
+  [[nodiscard]] bool policy_irq() const { return policy_.block().irq(); }
   void stop_clock_of(ClockGroup group) {
     if (group == ClockGroup::kEncoder) encoder_.stop_gated_clock();
   }
   [[nodiscard]] Slot<Encoder<6>, EncoderInputs>& decoder() { return encoder_; }
   [[nodiscard]] Slot<IkCordic, IkInputs>& ik() { return ik_; }
+  [[nodiscard]] Slot<PolicyMlp, PolicyInputs>& policy() { return policy_; }
   [[nodiscard]] Encoder<6>& encoder() { return encoder_.block(); }
   [[nodiscard]] const Encoder<6>& encoder() const { return encoder_.block(); }
 
@@ -59,6 +66,7 @@ class CountsVariant {
 
   Slot<Encoder<6>, EncoderInputs> encoder_;
   Slot<IkCordic, IkInputs> ik_;
+  Slot<PolicyMlp, PolicyInputs> policy_;
 };
 
 class PaperVariant {
@@ -78,6 +86,8 @@ class PaperVariant {
   }
   [[nodiscard]] static Cycles ik_wakes_at() { return kNever; }
   [[nodiscard]] static bool ik_irq() { return false; }
+  [[nodiscard]] static Cycles policy_wakes_at() { return kNever; }
+  [[nodiscard]] static bool policy_irq() { return false; }
   void stop_clock_of(ClockGroup group) {
     if (group == ClockGroup::kEncoder) decoder_.stop_gated_clock();
     if (group == ClockGroup::kMotion) switch_.stop_gated_clock();

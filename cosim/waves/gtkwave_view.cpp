@@ -24,7 +24,7 @@ constexpr std::array<ContextSignal, 8> kContext{{{kDecimal, "top.software.tick[3
                                                  {kBinary, "top.arm_soc.step_o[5:0]"},
                                                  {kBinary, "top.arm_soc.dir_o[5:0]"},
                                                  {kBinary, "top.arm_soc.servo_on_o[5:0]"},
-                                                 {kBinary, "top.arm_soc.irq_o[3:0]"}}};
+                                                 {kBinary, "top.arm_soc.irq_o[4:0]"}}};
 
 constexpr std::size_t kMaxSignals = 40;
 constexpr std::int64_t kBeforePs = 1'400'000;  // shown in front of the cursor: 70 cycles

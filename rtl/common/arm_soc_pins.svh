@@ -41,4 +41,4 @@
   output logic        pwm_o,           // PWM0 of axi_timer
   output logic        trigger_o,       // High for one clock per tick. The clock edge at its end makes the committed
                                        // counts active and samples the positions
-  output logic [3:0]  irq_o            // Interrupt levels, bits as in soc_map_pkg; they rise one clock after the event
+  output logic [4:0]  irq_o            // Interrupt levels, bits as in soc_map_pkg; they rise one clock after the event

@@ -21,7 +21,8 @@ module arm_soc #(
   input  logic        clk_encoder_i,  // bit 2: encoder
   input  logic        clk_bus_i,      // bit 3: crossbar
   input  logic        clk_ik_i,       // bit 4: ik_cordic; no use in the paper's variant
-  output logic [4:0]  active_o,       // clock requests
+  input  logic        clk_policy_i,   // bit 5: policy_mlp; no use in the paper's variant
+  output logic [5:0]  active_o,       // clock requests
 
   // AXI4-Lite slave; addresses: rtl/REGISTERS.md
   input  logic [31:0] s_axi_awaddr_i,
@@ -53,6 +54,7 @@ module arm_soc #(
   localparam int AxiUart16550  = soc_map_pkg::AxiUart16550Port;
   localparam int Encoder       = soc_map_pkg::EncoderPort;
   localparam int IkCordic      = soc_map_pkg::IkCordicPort;
+  localparam int PolicyMlp     = soc_map_pkg::PolicyMlpPort;
   localparam int EncoderSwitch = soc_map_pkg::EncoderSwitchPort;
   localparam int Pulses        = PaperFabric ? soc_map_pkg::PulseWidthPort : soc_map_pkg::PulseTrainPort;
   localparam int NumBlocks     = PaperFabric ? soc_map_pkg::NumPaperBlocks : soc_map_pkg::NumBlocks;
@@ -98,9 +100,10 @@ module arm_soc #(
     .m_axi_i(rsp)
   );
 
-  logic gpio_active, uart_active, timer_active, pulses_active, encoder_active, switch_active, ik_active;
+  logic gpio_active, uart_active, timer_active, pulses_active, encoder_active, switch_active, ik_active, policy_active;
   assign active_o = {
-    ik_active, bus_active, encoder_active, timer_active || pulses_active || switch_active, gpio_active || uart_active
+    policy_active, ik_active, bus_active, encoder_active, timer_active || pulses_active || switch_active,
+    gpio_active || uart_active
   };
 
   // Channel 1 drives the tool through pads without a tri-state buffer: a released output is low, and DATA reads
@@ -177,10 +180,12 @@ module arm_soc #(
       .step_o, .dir_o, .servo_on_o, .heartbeat_o
     );
 
-    logic unused_clock;
-    assign unused_clock = clk_ik_i;
-    assign ik_active    = 1'b0;
-    assign irq_o[soc_map_pkg::IkCordicIrq] = 1'b0;
+    logic unused_clocks;
+    assign unused_clocks = ^{clk_ik_i, clk_policy_i};
+    assign ik_active     = 1'b0;
+    assign policy_active = 1'b0;
+    assign irq_o[soc_map_pkg::IkCordicIrq]  = 1'b0;
+    assign irq_o[soc_map_pkg::PolicyMlpIrq] = 1'b0;
 
     logic selected_a, selected_b, selected_z;
 
@@ -248,6 +253,15 @@ module arm_soc #(
       .s_axi_i        (req[IkCordic*AxiLiteReqBits +: AxiLiteReqBits]),
       .s_axi_o        (rsp[IkCordic*AxiLiteRspBits +: AxiLiteRspBits]),
       .irq_o          (irq_o[soc_map_pkg::IkCordicIrq])
+    );
+
+    policy_mlp u_policy_mlp (
+      .clk_i          (clk_policy_i),
+      .rst_ni,
+      .active_o       (policy_active),
+      .s_axi_i        (req[PolicyMlp*AxiLiteReqBits +: AxiLiteReqBits]),
+      .s_axi_o        (rsp[PolicyMlp*AxiLiteRspBits +: AxiLiteRspBits]),
+      .irq_o          (irq_o[soc_map_pkg::PolicyMlpIrq])
     );
   end
 

@@ -5,10 +5,10 @@ package soc_map_pkg;
 
   localparam int ClkFreqHz      = 50_000_000;
   localparam int TickCycles     = 2_500;
-  localparam int NumBlocks      = 6;
+  localparam int NumBlocks      = 7;
   localparam int NumPaperBlocks = 6;
-  localparam int MaxBlocks      = 6;
-  localparam int NumIrqs        = 4;
+  localparam int MaxBlocks      = 7;
+  localparam int NumIrqs        = 5;
 
   // AXI GPIO: 16 outputs and 16 inputs for end-effector tools.
   localparam logic [31:0] AxiGpioBase = 32'h4120_0000;
@@ -46,6 +46,11 @@ package soc_map_pkg;
   localparam logic [31:0] IkCordicSize = 32'h0001_0000;
   localparam int          IkCordicIrq  = 3;
 
+  // Multi-layer perceptron of 8-bit integers: a learned correction of joint speeds.
+  localparam logic [31:0] PolicyMlpBase = 32'h43C5_0000;
+  localparam logic [31:0] PolicyMlpSize = 32'h0001_0000;
+  localparam int          PolicyMlpIrq  = 4;
+
   // The crossbar port of each block. It is the same in every variant that has the block.
   localparam int AxiGpioPort       = 0;
   localparam int AxiTimerPort      = 1;
@@ -53,11 +58,13 @@ package soc_map_pkg;
   localparam int EncoderPort       = 3;
   localparam int PulseTrainPort    = 4;
   localparam int IkCordicPort      = 5;
+  localparam int PolicyMlpPort     = 6;
   localparam int PulseWidthPort    = 4;
   localparam int EncoderSwitchPort = 5;
 
   // Port i claims an address if (address & Mask) == Base, with word i of both arrays.
   localparam logic [MaxBlocks*32-1:0] XbarBase = {
+    PolicyMlpBase,
     IkCordicBase,
     PulseTrainBase,
     EncoderBase,
@@ -70,8 +77,10 @@ package soc_map_pkg;
     32'hFFFF_0000,
     32'hFFFF_0000,
     32'hFFFF_0000,
+    32'hFFFF_0000,
     32'hFFFF_0000};
   localparam logic [MaxBlocks*32-1:0] PaperXbarBase = {
+    32'h0000_0000,
     EncoderSwitchBase,
     PulseWidthBase,
     EncoderBase,
@@ -79,6 +88,7 @@ package soc_map_pkg;
     AxiTimerBase,
     AxiGpioBase};
   localparam logic [MaxBlocks*32-1:0] PaperXbarMask = {
+    32'h0000_0000,
     32'hFFFF_0000,
     32'hFFFF_0000,
     32'hFFFF_0000,

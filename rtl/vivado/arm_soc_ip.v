@@ -72,10 +72,10 @@ module arm_soc_ip #(
   output wire trigger,
   (* X_INTERFACE_INFO = "xilinx.com:signal:interrupt:1.0 irq INTERRUPT" *)
   (* X_INTERFACE_PARAMETER = "SENSITIVITY LEVEL_HIGH" *)
-  output wire [3:0] irq
+  output wire [4:0] irq
 );
 
-  wire [4:0] unused_active;
+  wire [5:0] unused_active;
 
   arm_soc #(.PaperFabric(PAPER_FABRIC)) u_arm_soc (
     .clk_i          (clk),
@@ -85,6 +85,7 @@ module arm_soc_ip #(
     .clk_encoder_i  (clk),
     .clk_bus_i      (clk),
     .clk_ik_i       (clk),
+    .clk_policy_i   (clk),
     .active_o       (unused_active),
     .s_axi_awaddr_i (s_axi_awaddr),
     .s_axi_awvalid_i(s_axi_awvalid),

@@ -10,6 +10,7 @@
 #   0x43C20000  encoder
 #   0x43C30000  encoder_switch (PAPER_FABRIC = 1)
 #   0x43C40000  ik_cordic (PAPER_FABRIC = 0), irq[3] = interrupt 64
+#   0x43C50000  policy_mlp (PAPER_FABRIC = 0), irq[4] = interrupt 65
 set here [file dirname [file normalize [info script]]]
 set rtl  [file dirname $here]
 
@@ -25,6 +26,7 @@ add_files [list $here/arm_soc_ip.v \
   $rtl/common/encoder_reg_types.svh \
   $rtl/common/encoder_switch_reg_types.svh \
   $rtl/common/ik_cordic_reg_types.svh \
+  $rtl/common/policy_mlp_reg_types.svh \
   $rtl/common/pulse_train_reg_types.svh \
   $rtl/common/pulse_width_reg_types.svh \
   $rtl/common/reg_access_types.svh \
@@ -36,6 +38,7 @@ add_files [list $here/arm_soc_ip.v \
   $rtl/encoder_switch/encoder_switch_reg_pkg.sv \
   $rtl/ik_cordic/ik_cordic_reg_pkg.sv \
   $rtl/ik_cordic/ik_pkg.sv \
+  $rtl/policy_mlp/policy_mlp_reg_pkg.sv \
   $rtl/pulse_train/pulse_train_reg_pkg.sv \
   $rtl/pulse_width/pulse_width_reg_pkg.sv \
   $rtl/common/sync_2ff.sv \
@@ -69,6 +72,11 @@ add_files [list $here/arm_soc_ip.v \
   $rtl/ik_cordic/ik_program.sv \
   $rtl/ik_cordic/ik_results.sv \
   $rtl/ik_cordic/ik_root.sv \
+  $rtl/policy_mlp/policy_crc.sv \
+  $rtl/policy_mlp/policy_memory.sv \
+  $rtl/policy_mlp/policy_mlp_reg_top.sv \
+  $rtl/policy_mlp/policy_neuron.sv \
+  $rtl/policy_mlp/policy_values.sv \
   $rtl/pulse_train/commit_bank.sv \
   $rtl/pulse_train/pulse_gen.sv \
   $rtl/pulse_train/pulse_train_reg_top.sv \
@@ -82,6 +90,7 @@ add_files [list $here/arm_soc_ip.v \
   $rtl/encoder/encoder_core.sv \
   $rtl/ik_cordic/cordic.sv \
   $rtl/ik_cordic/ik_core.sv \
+  $rtl/policy_mlp/policy_core.sv \
   $rtl/pulse_train/pulse_train_core.sv \
   $rtl/pulse_width/pulse_width_core.sv \
   $rtl/axi_gpio/axi_gpio.sv \
@@ -90,6 +99,7 @@ add_files [list $here/arm_soc_ip.v \
   $rtl/encoder/encoder.sv \
   $rtl/encoder_switch/encoder_switch.sv \
   $rtl/ik_cordic/ik_cordic.sv \
+  $rtl/policy_mlp/policy_mlp.sv \
   $rtl/pulse_train/pulse_train.sv \
   $rtl/pulse_width/pulse_width.sv \
   $rtl/soc/arm_soc.sv]

@@ -18,7 +18,7 @@ class ArmSocTest : public AxiStallTest<Varm_soc> {
   // Literal numbers on purpose, because software and documents depend on them.
   static constexpr std::uint32_t kGpio = 0x4120'0000u, kUart = 0x43C0'1000u;
   static constexpr std::uint32_t kTimer = 0x4280'0000u, kPulse = 0x43C1'0000u, kEncoder = 0x43C2'0000u,
-                                 kIk = 0x43C4'0000u;
+                                 kIk = 0x43C4'0000u, kPolicy = 0x43C5'0000u;
   static constexpr std::uint32_t kTcsr0 = kTimer + 0x00, kTlr0 = kTimer + 0x04;
   static constexpr std::uint32_t kLoad = 0x020, kTimerAck = 0x1D6, kTimerRun = 0x0D6;  // down, GENT, ARHT, ENIT, ENT
   static constexpr std::uint32_t kAxes = 6, kAllAxes = 0x3F;

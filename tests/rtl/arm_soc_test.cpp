@@ -28,6 +28,7 @@ TEST_P(ArmSocTest, EveryBlockAnswersAtItsBase) {
   EXPECT_EQ(read(kPulse), 0x5054'0106u);    // "PT", map version 1, 6 axes
   EXPECT_EQ(read(kEncoder), 0x454E'0106u);  // "EN"
   EXPECT_EQ(read(kIk), 0x494B'0108u);       // "IK", 8 branches
+  EXPECT_EQ(read(kPolicy), 0x504D'0108u);   // "PM", 8 lanes
   write(kTlr0, 0xCAFE'F00Du);
   EXPECT_EQ(read(kTlr0), 0xCAFE'F00Du);
   EXPECT_EQ(read(kPulse + pulse::kTickCyclesOffset), static_cast<std::uint32_t>(kTick));
@@ -35,7 +36,7 @@ TEST_P(ArmSocTest, EveryBlockAnswersAtItsBase) {
 
 TEST_P(ArmSocTest, GapsOfTheMapAnswerDecErr) {
   for (const std::uint32_t addr : {0x0000'0000u, 0x411F'FFFCu, 0x4121'0000u, 0x427F'FFFCu, 0x4281'0000u, 0x43BF'FFFCu,
-                                   0x43C3'0000u, 0x43C5'0000u, 0xC280'0000u, 0xFFFF'FFFCu}) {
+                                   0x43C3'0000u, 0x43C6'0000u, 0xC280'0000u, 0xFFFF'FFFCu}) {
     EXPECT_EQ(axi_.read(addr).resp, AxiResp::kDecErr) << std::hex << addr;
     EXPECT_EQ(axi_.write(addr, 0xFFFF'FFFFu), AxiResp::kDecErr) << std::hex << addr;
   }
@@ -43,7 +44,7 @@ TEST_P(ArmSocTest, GapsOfTheMapAnswerDecErr) {
 }
 
 TEST_P(ArmSocTest, UnmappedOffsetsOfABlockAnswerSlvErr) {
-  for (const std::uint32_t base : {kTimer, kPulse, kEncoder, kIk}) {
+  for (const std::uint32_t base : {kTimer, kPulse, kEncoder, kIk, kPolicy}) {
     for (const std::uint32_t offset : {0xFF0u, 0x1000u, 0x8000u, 0xFFFCu}) {
       EXPECT_EQ(axi_.read(base + offset), (AxiReadResult{AxiResp::kSlvErr, 0xBADA'CCE5u})) << std::hex << base + offset;
       EXPECT_EQ(axi_.write(base + offset, 1), AxiResp::kSlvErr) << std::hex << base + offset;
@@ -85,6 +86,26 @@ TEST_P(ArmSocTest, TheInverseKinematicsRunsAndInterrupts) {
   EXPECT_EQ(read(kIk + 0x10), 701u) << "clocks";
   EXPECT_EQ(read(kIk + 0x14), 0x55u);
   write(kIk + 0x0C, 1);
+  axi_.step(2);
+  EXPECT_EQ(dut_.irq_o, 0);
+}
+
+// Likewise.
+TEST_P(ArmSocTest, TheNetworkRunsAndInterrupts) {
+  axi_.step(50);
+  const std::uint32_t image[] = {0x0002'0000, 0, 0x0000'0000, 0x8000, 0x02, 0};  // one neuron: half of 2 x
+  for (const std::uint32_t word : image) write(kPolicy + 0x24, word);            // DATA
+  write(kPolicy + 0x40, 25);                                                    // INPUT
+  write(kPolicy + 0x14, 127);                                                   // BOUND
+  write(kPolicy + 0x18, 0xB855'3142);
+  write(kPolicy + 0x04, 0b11);  // CTRL: interrupt, start
+  EXPECT_EQ(dut_.irq_o, 0);
+  axi_.step(12);
+  EXPECT_EQ(dut_.irq_o, 0b1'0000);
+  EXPECT_EQ(read(kPolicy + 0x08), 2u);
+  EXPECT_EQ(read(kPolicy + 0x10), 9u) << "clocks";
+  EXPECT_EQ(read(kPolicy + 0x60), 25u);
+  write(kPolicy + 0x0C, 1);
   axi_.step(2);
   EXPECT_EQ(dut_.irq_o, 0);
 }
@@ -248,7 +269,7 @@ TEST_P(ArmSocTest, TheDriveEnablesProtectTimesAndFilters) {
 TEST_P(ArmSocTest, ReadsAndWritesOfDifferentBlocksOverlap) {
   for (std::uint32_t i = 0; i < 24; ++i) {
     axi_.post_write(i % 4 == 3 ? 0x4000'0000u : kPulse + pulse::kCountOffset + 4 * (i % kAxes), i);
-    axi_.post_read(i % 3 == 0 ? kEncoder : i % 3 == 1 ? kPulse : 0x43C5'0000u);
+    axi_.post_read(i % 3 == 0 ? kEncoder : i % 3 == 1 ? kPulse : 0x43C6'0000u);
   }
   axi_.drain();
   ASSERT_EQ(axi_.write_answers.size(), 24u);

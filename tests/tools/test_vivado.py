@@ -76,7 +76,7 @@ class Generated(unittest.TestCase):
         self.assertIn("is not within M_AXI_GP0 of the Zynq", result.stderr)
 
     def test_a_port_in_another_form_is_refused(self):
-        self.edit("rtl/soc/arm_soc.sv", "  output logic [4:0]  active_o,", "  output wire [4:0] active_o,")
+        self.edit("rtl/soc/arm_soc.sv", "  output logic [5:0]  active_o,", "  output wire [5:0] active_o,")
         self.assertIn("a port is not written as", self.run_tool().stderr)
 
     def test_a_top_without_the_pins_is_refused(self):

@@ -20,7 +20,7 @@ TOP = "top"
 CHIP = "top.arm_soc"
 # The blocks that differ between the variants are in a generate block of arm_soc.
 SCOPE_OF_VARIANT = {"counts": f"{CHIP}.g_rtl", "paper": f"{CHIP}.g_paper"}
-OF_VARIANT = ("pulse_train", "pulse_width", "encoder", "encoder_switch", "ik_cordic")
+OF_VARIANT = ("pulse_train", "pulse_width", "encoder", "encoder_switch", "ik_cordic", "policy_mlp")
 BUS = (
     ("write", ("awvalid_i", "awready_o", "awaddr_i", "wvalid_i", "wready_o", "wdata_i", "bvalid_o", "bready_i")),
     ("read", ("arvalid_i", "arready_o", "araddr_i", "rvalid_o", "rready_i", "rdata_o")),

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kClocks = 20'000;
 constexpr std::uint32_t kBlocks[] = {0x4120'0000, 0x4280'0000, 0x43C0'1000, 0x43C1'0000,
-                                     0x43C2'0000, 0x43C3'0000, 0x43C4'0000};
+                                     0x43C2'0000, 0x43C3'0000, 0x43C4'0000, 0x43C5'0000};
 
 // Random pins, and accesses to random registers of every block. A VALID stays until it is accepted.
 class Surroundings {

@@ -83,6 +83,7 @@ class Surroundings {
     if (random_.below(200) == 0) return static_cast<std::uint32_t>(random_.next());
     if (base == regs::soc::kAxiUart16550Base) return base + 0x1000 + 4 * random_.below(9);
     if (base == regs::soc::kIkCordicBase && random_.below(2) == 0) return base + 4 * random_.below(8);
+    if (base == regs::soc::kPolicyMlpBase) return base + 4 * random_.below(26);
     if (base == regs::soc::kAxiGpioBase && random_.below(2) == 0) return base + 0x11C + 4 * random_.below(4);
     return base + 4 * random_.below(base == regs::soc::kAxiTimerBase ? 8 : 0x38);
   }

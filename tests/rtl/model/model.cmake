@@ -49,7 +49,7 @@ function(add_model_mutant NAME NUMBER BLOCK KILLED_BY)
   set_tests_properties(model_mutant.${NAME} PROPERTIES LABELS "mutant;gate:model_mutants.${BLOCK}")
 endfunction()
 
-foreach(block bus_port timer gpio uart encoder pulse_train pulse_width ik_cordic)
+foreach(block bus_port timer gpio uart encoder pulse_train pulse_width ik_cordic policy_mlp)
   include(model/${block}.cmake)
 endforeach()
 include(${woven_models}/mutants.cmake)
