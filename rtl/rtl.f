@@ -50,7 +50,8 @@ ik_cordic/ik_root.sv
 policy_mlp/policy_crc.sv
 policy_mlp/policy_memory.sv
 policy_mlp/policy_mlp_reg_top.sv
-policy_mlp/policy_neuron.sv
+policy_mlp/policy_products.sv
+policy_mlp/policy_requantise.sv
 policy_mlp/policy_values.sv
 pulse_train/commit_bank.sv
 pulse_train/pulse_gen.sv
@@ -67,6 +68,7 @@ axi_uart16550/uart_core.sv
 encoder/encoder_core.sv
 ik_cordic/cordic.sv
 ik_cordic/ik_core.sv
+policy_mlp/policy_neuron.sv
 policy_mlp/policy_core.sv
 pulse_train/pulse_train_core.sv
 pulse_width/pulse_width_core.sv

@@ -33,9 +33,8 @@ class CountsVariant {
  public:
   using Pulses = PulseTrain;
   static constexpr bool kHasIk = true;
-  static constexpr std::array kBases{regs::soc::kAxiGpioBase,      regs::soc::kAxiTimerBase,
-                                     regs::soc::kAxiUart16550Base, regs::soc::kPulseTrainBase,
-                                     regs::soc::kEncoderBase,      regs::soc::kIkCordicBase,
+  static constexpr std::array kBases{regs::soc::kAxiGpioBase,    regs::soc::kAxiTimerBase, regs::soc::kAxiUart16550Base,
+                                     regs::soc::kPulseTrainBase, regs::soc::kEncoderBase,  regs::soc::kIkCordicBase,
                                      regs::soc::kPolicyMlpBase};
 
   void edge(Cycles at, const SocInputs& pins, const DecoderInputs& in, const Strobes* access, Answer* answers) {

@@ -1,4 +1,4 @@
-// Core of policy_mlp: evaluates the network of an image that it reads row by row, one row in a clock. It has no bus port.
+// Core of policy_mlp: evaluates the network of an image that it reads row by row, one row in a clock. No bus port.
 //
 // A run reads the image once from its beginning, so its checksum is that of every weight that was used. Between two
 // layers it waits until the last value of the first one has been written. No image, whatever it contains, takes more
@@ -106,7 +106,8 @@ module policy_core #(
   );
 
   logic unused;
-  assign unused = ^{filled, parameters[63:48], parameters[31:29], reg2hw_i.id_re, reg2hw_i.address_re, reg2hw_i.data_re};
+  assign unused = ^{filled, parameters[63:48], parameters[31:29], reg2hw_i.id_re, reg2hw_i.address_re,
+                    reg2hw_i.data_re};
 
   logic [5:0] count;
   policy_values #(.Lanes(Lanes)) u_values (
@@ -255,6 +256,7 @@ module policy_core #(
   // A clock of a run reads a row or waits for the last value of a layer.
   `ASSERT(EachClockReadsOrDrains, state_q == Idle ||
                                   cycles_q == 13'(next_row_q) + 13'(Pipeline) * 13'(layer_q) + 13'(drain_q))
+  `ASSERT(StateIsKnown, state_q <= Drain && (state_q != Fetch || next_row_q == '0))
   `ASSERT(ReadsNoMoreThanTheMemory, next_row_q <= (RowBits+1)'(Rows) ||
                                     (next_row_q == (RowBits+1)'(Rows + 1) && !read && (malformed_q || last_layer_q)))
   `ASSERT(DrainsOnlyInDrain, drain_q < 3'(Pipeline) && (state_q == Idle || state_q == Drain || drain_q == '0))

@@ -1,4 +1,5 @@
-// Memory of 16 KiB for the image of a network: block RAM with a port of 32 bits that writes and one of a row that reads.
+// Memory of 16 KiB for the image of a network: block RAM with a port of 32 bits that writes and one of a row
+// that reads.
 module policy_memory #(
   parameter int Lanes = 8  // bytes of a row: 4, 8 or 16
 ) (

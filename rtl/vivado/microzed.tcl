@@ -75,7 +75,8 @@ add_files [list $here/arm_soc_ip.v \
   $rtl/policy_mlp/policy_crc.sv \
   $rtl/policy_mlp/policy_memory.sv \
   $rtl/policy_mlp/policy_mlp_reg_top.sv \
-  $rtl/policy_mlp/policy_neuron.sv \
+  $rtl/policy_mlp/policy_products.sv \
+  $rtl/policy_mlp/policy_requantise.sv \
   $rtl/policy_mlp/policy_values.sv \
   $rtl/pulse_train/commit_bank.sv \
   $rtl/pulse_train/pulse_gen.sv \
@@ -90,6 +91,7 @@ add_files [list $here/arm_soc_ip.v \
   $rtl/encoder/encoder_core.sv \
   $rtl/ik_cordic/cordic.sv \
   $rtl/ik_cordic/ik_core.sv \
+  $rtl/policy_mlp/policy_neuron.sv \
   $rtl/policy_mlp/policy_core.sv \
   $rtl/pulse_train/pulse_train_core.sv \
   $rtl/pulse_width/pulse_width_core.sv \

@@ -40,7 +40,8 @@ module policy_core_proof (
 
   for (genvar i = 0; i < 8; i++) begin : gen_output
     wire signed [7:0] value = output_values_o[8*i +: 8];
-    `ASSERT(OutputStaysWithinTheBound, value <= $signed({1'b0, bound_value_i}) && -value <= $signed({1'b0, bound_value_i}))
+    `ASSERT(OutputStaysWithinTheBound, value <= $signed({1'b0, bound_value_i}) &&
+            -value <= $signed({1'b0, bound_value_i}))
   end
   `ASSERT(NoOutputWithoutDone, status_done_o || output_values_o == '0)
   `ASSERT(NoOutputWhileBusy, !status_busy_o || !status_done_o)
@@ -89,6 +90,35 @@ module policy_values #(
   (* anyseq *) wire [5:0]         any_count;
   assign row_o   = any;
   assign count_o = any_count;
+endmodule
+
+// Any products.
+module policy_products #(
+  parameter int Lanes = 8
+) (
+  input  wire                clk_i,
+  input  wire                row_i,
+  input  wire [8*Lanes-1:0]  weights_i,
+  input  wire [8*Lanes-1:0]  values_i,
+  output wire [16*Lanes-1:0] products_o
+);
+  (* anyseq *) wire [16*Lanes-1:0] any;
+  assign products_o = any;
+endmodule
+
+// Any value.
+module policy_requantise (
+  input  wire               clk_i,
+  input  wire               multiply_i,
+  input  wire signed [24:0] sum_i,
+  input  wire [15:0]        multiplier_i,
+  input  wire [4:0]         shift_i,
+  input  wire               finish_i,
+  input  wire               relu_i,
+  output wire [7:0]         value_o
+);
+  (* anyseq *) wire [7:0] any;
+  assign value_o = any;
 endmodule
 
 // Any checksum that changes with rows only.

@@ -95,8 +95,8 @@ TEST_P(ArmSocTest, TheNetworkRunsAndInterrupts) {
   axi_.step(50);
   const std::uint32_t image[] = {0x0002'0000, 0, 0x0000'0000, 0x8000, 0x02, 0};  // one neuron: half of 2 x
   for (const std::uint32_t word : image) write(kPolicy + 0x24, word);            // DATA
-  write(kPolicy + 0x40, 25);                                                    // INPUT
-  write(kPolicy + 0x14, 127);                                                   // BOUND
+  write(kPolicy + 0x40, 25);                                                     // INPUT
+  write(kPolicy + 0x14, 127);                                                    // BOUND
   write(kPolicy + 0x18, 0xB855'3142);
   write(kPolicy + 0x04, 0b11);  // CTRL: interrupt, start
   EXPECT_EQ(dut_.irq_o, 0);

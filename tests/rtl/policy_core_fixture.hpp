@@ -53,7 +53,8 @@ class PolicyCoreFixture : public VerilatedTest<Dut> {
     std::ranges::copy(inputs, inputs_.begin());
     for (std::size_t i = 0; i < 8; ++i) {
       std::uint32_t word = 0;
-      for (std::size_t k = 0; k < 4; ++k) word |= std::uint32_t{static_cast<std::uint8_t>(inputs_[4 * i + k])} << (8 * k);
+      for (std::size_t k = 0; k < 4; ++k)
+        word |= std::uint32_t{static_cast<std::uint8_t>(inputs_[4 * i + k])} << (8 * k);
       this->dut_.input_values_i[i] = word;
     }
   }
@@ -74,7 +75,8 @@ class PolicyCoreFixture : public VerilatedTest<Dut> {
   }
   [[nodiscard]] std::vector<std::int8_t> outputs() {
     std::vector<std::int8_t> values;
-    for (std::size_t i = 0; i < 8; ++i) values.push_back(static_cast<std::int8_t>(this->dut_.output_values_o >> (8 * i)));
+    for (std::size_t i = 0; i < 8; ++i)
+      values.push_back(static_cast<std::int8_t>(this->dut_.output_values_o >> (8 * i)));
     return values;
   }
 

@@ -72,9 +72,9 @@ TEST_P(PolicyMlpRegisters, IdentifiesItself) {
 }
 
 TEST_P(PolicyMlpRegisters, IsIdleAfterResetWithABoundOf0) {
-  for (const std::uint32_t offset : {reg::kCtrlOffset, reg::kStatusOffset, reg::kEventOffset, reg::kBoundOffset,
-                                     reg::kCrcOffset, reg::kCrcReadOffset, reg::kAddressOffset, reg::kDataOffset,
-                                     reg::kOutputOffset, reg::kOutputOffset + 4}) {
+  for (const std::uint32_t offset :
+       {reg::kCtrlOffset, reg::kStatusOffset, reg::kEventOffset, reg::kBoundOffset, reg::kCrcOffset,
+        reg::kCrcReadOffset, reg::kAddressOffset, reg::kDataOffset, reg::kOutputOffset, reg::kOutputOffset + 4}) {
     EXPECT_EQ(read(offset), 0u) << offset;
   }
   EXPECT_FALSE(dut_.irq_o);

@@ -14,9 +14,9 @@
 namespace armature::test {
 
 struct TestNeuron {
-  std::int32_t bias = 0;          // 24 bits, signed
-  std::uint32_t multiplier = 0;   // 16 bits
-  std::uint32_t shift = 0;        // 5 bits
+  std::int32_t bias = 0;             // 24 bits, signed
+  std::uint32_t multiplier = 0;      // 16 bits
+  std::uint32_t shift = 0;           // 5 bits
   std::vector<std::int8_t> weights;  // by input
 };
 struct TestLayer {

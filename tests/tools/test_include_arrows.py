@@ -19,6 +19,7 @@ CONTROLLER = {
     "kinematics": {"base", "robot"},
     "trajectory": {"base", "robot", "kinematics"},
     "message": {"base", "kinematics", "trajectory"},
+    "policy": {"base", "hal", "drivers"},
     "cell": {"base", "robot", "kinematics", "trajectory", "message"},
     "motion": {"base", "hal", "robot", "kinematics", "trajectory", "drivers", "message", "cell"},
 }

@@ -87,7 +87,7 @@ class Run {
       for (std::size_t row = 0; row < rows; ++row) {
         const bool end = !next();
         for (std::size_t i = 0; i < lanes_; ++i) {
-          sum += static_cast<std::int8_t>(image_.byte(i)) * values_[row * lanes_ + i];
+          sum += std::int64_t{static_cast<std::int8_t>(image_.byte(i))} * values_[row * lanes_ + i];
         }
         if (end && !(last_ && neuron + 1 == neurons && row + 1 == rows)) return false;
       }

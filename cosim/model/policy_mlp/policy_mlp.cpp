@@ -8,7 +8,7 @@ namespace {
 
 namespace policy_map = regs::policy_mlp;
 
-static_assert(4 * policy_map::kInputCount == mlp::kInputs && 4 * policy_map::kOutputCount == mlp::kOutputs);
+static_assert(policy_map::kInputCount == mlp::kInputs / 4 && policy_map::kOutputCount == mlp::kOutputs / 4);
 
 [[nodiscard]] constexpr std::uint32_t policy_flag(bool is_set, std::uint32_t mask) {
   return is_set ? mask : 0u;
@@ -97,8 +97,10 @@ Answer PolicyMlp::read(Cycles at, std::uint32_t offset) const {
     default:
       break;
   }
-  if (const auto input = element(offset, policy_map::kInputOffset, 4, policy_map::kInputCount)) return word(inputs_[*input]);
-  if (const auto output = element(offset, policy_map::kOutputOffset, 4, policy_map::kOutputCount)) return word(outputs(4 * *output));
+  if (const auto input = element(offset, policy_map::kInputOffset, 4, policy_map::kInputCount))
+    return word(inputs_[*input]);
+  if (const auto output = element(offset, policy_map::kOutputOffset, 4, policy_map::kOutputCount))
+    return word(outputs(4 * *output));
   return kUnmappedRead;
 }
 

@@ -94,12 +94,9 @@ TEST_F(PolicyMlpLockstep, RandomTrafficIsThatOfTheBlockInEveryClock) {
   run(100'000, 12, 2);
   starts_ = 20;
   run(100'000, 20, 1);
-  const std::pair<const char*, int> counts[]{{"interrupts", irqs_},
-                                             {"reads of outputs", outputs_},
-                                             {"reads of a refusal", refusals_},
-                                             {"reads while busy", busy_},
-                                             {"reads of a corrupt image", corrupt_},
-                                             {"reads of a malformed image", malformed_}};
+  const std::pair<const char*, int> counts[]{
+      {"interrupts", irqs_},       {"reads of outputs", outputs_},         {"reads of a refusal", refusals_},
+      {"reads while busy", busy_}, {"reads of a corrupt image", corrupt_}, {"reads of a malformed image", malformed_}};
   for (const auto& [what, count] : counts) {
     RecordProperty(what, count);
     EXPECT_GE(count, 20) << "too few " << what;
