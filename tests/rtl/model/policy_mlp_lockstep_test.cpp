@@ -33,9 +33,10 @@ class PolicyMlpLockstep : public BlockLockstep<Vpolicy_mlp, PolicyMlp, PolicyInp
       queue_.pop_back();
       return next;
     }
-    static constexpr std::uint32_t kOften[] = {map::kCtrlOffset, map::kEventOffset, map::kBoundOffset};
+    static constexpr std::uint32_t kOften[] = {map::kCtrlOffset, map::kEventOffset, map::kBoundOffset,
+                                               map::kDataOffset};
     const std::uint16_t address =
-        random_.below(2) == 0 ? static_cast<std::uint16_t>(kOften[random_.below(3)]) : random_address();
+        random_.below(2) == 0 ? static_cast<std::uint16_t>(kOften[random_.below(4)]) : random_address();
     BusTraffic write{.addr = address, .data = static_cast<std::uint32_t>(random_.next())};
     if (random_.below(4) == 0) write.wstrb = static_cast<std::uint8_t>(random_.below(16));
     return write;
