@@ -6,8 +6,8 @@ namespace armature {
 
 SourceSelector::SourceSelector(const RobotModel& robot, const Arm& path_arm, const Arm& arm,
                                const Transform& flange_T_tool, Channel& channel, EventListener& events,
-                               LogicPort& logic, const ConveyorConfig* conveyor, BeltEncoder* encoder) noexcept
-    : channel_{channel}, own_{robot, path_arm, arm, flange_T_tool, channel, events, logic, conveyor, encoder} {
+                               LogicPort& logic, const BeltParts& belt) noexcept
+    : channel_{channel}, own_{robot, path_arm, arm, flange_T_tool, channel, events, logic, belt} {
   last_ = &own_.plans.set_point();
 }
 

@@ -20,10 +20,9 @@ namespace armature {
 
 class SourceSelector final : public SetPointSource {
  public:
-  // References must outlive the selector. The arms: see Sources. `conveyor` and its encoder: none without a conveyor.
+  // References must outlive the selector. The arms: see Sources.
   SourceSelector(const RobotModel& robot, const Arm& path_arm, const Arm& arm, const Transform& flange_T_tool,
-                 Channel& channel, EventListener& events, LogicPort& logic, const ConveyorConfig* conveyor = nullptr,
-                 BeltEncoder* encoder = nullptr) noexcept;
+                 Channel& channel, EventListener& events, LogicPort& logic, const BeltParts& belt = {}) noexcept;
   SourceSelector(const SourceSelector&) = delete;
   SourceSelector& operator=(const SourceSelector&) = delete;
 

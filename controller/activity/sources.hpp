@@ -20,18 +20,23 @@
 
 namespace armature {
 
+// What the conveyor needs: all null without one. They must outlive its source.
+struct BeltParts {
+  const ConveyorConfig* config = nullptr;
+  BeltEncoder* encoder = nullptr;
+  BeltCorrection* correction = nullptr;  // null without a network
+};
+
 struct Sources {
-  // References must outlive the object. `path_arm`: solves the poses of planned paths; `arm`: all others. `belt` and
-  // its encoder: none without a conveyor.
+  // References must outlive the object. `path_arm`: solves the poses of planned paths; `arm`: all others.
   Sources(const RobotModel& robot, const Arm& path_arm, const Arm& arm, const Transform& flange_T_tool,
-          Channel& channel, EventListener& events, LogicPort& logic, const ConveyorConfig* belt,
-          BeltEncoder* encoder) noexcept
+          Channel& channel, EventListener& events, LogicPort& logic, const BeltParts& belt) noexcept
       : plans{robot, path_arm, channel, events},
         jog{robot, arm, flange_T_tool, events},
         stream{robot, events},
         homing{robot, logic, events} {
-    if (belt == nullptr || encoder == nullptr) return;
-    conveyor.emplace(robot, arm, flange_T_tool, *belt, *encoder, channel, events);
+    if (belt.config == nullptr || belt.encoder == nullptr) return;
+    conveyor.emplace(robot, arm, flange_T_tool, *belt.config, *belt.encoder, channel, events, belt.correction);
   }
 
   // By ActivityId; null without a conveyor.

@@ -2,6 +2,7 @@
 
 #include <type_traits>
 
+#include "controller/activity/conveyor/belt_correction.hpp"
 #include "controller/activity/source_selector.hpp"
 #include "controller/app/core0_reporter.hpp"
 #include "controller/app/inverse_console.hpp"
@@ -18,7 +19,7 @@ namespace armature {
 static_assert(std::is_trivially_destructible_v<MotionLoop> && std::is_trivially_destructible_v<CountLogicPort> &&
               std::is_trivially_destructible_v<PaperLogicPort> && std::is_trivially_destructible_v<SourceSelector> &&
               std::is_trivially_destructible_v<Core0Reporter> && std::is_trivially_destructible_v<CordicSolver> &&
-              std::is_trivially_destructible_v<InverseConsole>);
+              std::is_trivially_destructible_v<InverseConsole> && std::is_trivially_destructible_v<BeltCorrection>);
 
 static_assert(MoveQueue::kMoves <= host_memory::kMaxWaitingMoves, "the bound of the ring of core 1's events");
 static_assert(gcode::CanonInterpreter::kMaxCallsPerStep + 2 <= host_memory::kMaxProgramNotes, "the same");
@@ -91,11 +92,12 @@ void Controller::core0_main(RegisterBus& bus, InverseSolver* solver) noexcept {
   }
   InverseCheck* check = cordic ? &cordic->check() : nullptr;
   Core0Reporter reporter{core0_writer_, channel_, bus};
-  const ConveyorConfig* conveyor = planning_.conveyor ? &*planning_.conveyor : nullptr;
+  BeltParts belt{.config = planning_.conveyor ? &*planning_.conveyor : nullptr, .encoder = &belt_};
+  std::optional<BeltCorrection> correction;
+  if (belt.config != nullptr && belt.config->policy) belt.correction = &correction.emplace(bus, *belt.config->policy);
   const auto run_on = [&](LogicPort& logic) {
     if (pendant_) logic.keep_drives_off();
-    SourceSelector source{robot, path_arm, core0_arm_, planning_.flange_T_tool, channel_, reporter,
-                          logic, conveyor, &belt_};
+    SourceSelector source{robot, path_arm, core0_arm_, planning_.flange_T_tool, channel_, reporter, logic, belt};
     const bool feedback = config.feedback && !config.paper;
     MotionLoop{robot, feedback, logic, bus, channel_.loop, source, reporter, config.referenced, check}.run();
   };

@@ -3,9 +3,11 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 
 #include "controller/base/members.hpp"
 #include "controller/base/misfit.hpp"
+#include "controller/cell/belt_policy_config.hpp"
 #include "controller/kinematics/transform.hpp"
 
 namespace armature {
@@ -23,6 +25,7 @@ struct ConveyorConfig {
   double accel_mm_s2 = 2'000.0;   // > 0; the arm takes up and leaves the velocity of the belt with this acceleration
   double speed_tolerance = 0.1;   // 0 .. 0.5; plans are checked for belts that are slower and faster by this share
   double lead_s = 0.0;            // >= 0; the drives lag behind their set-points by this time
+  std::optional<BeltPolicyConfig> policy{};  // none: no network corrects where the belt is expected
 
   [[nodiscard]] const void* misfit() const noexcept {
     constexpr double kRounding = 1e-9;
@@ -36,7 +39,7 @@ struct ConveyorConfig {
                          {&lead_s, is_at_least_0(lead_s)}});
   }
   ARMATURE_MEMBERS(ConveyorConfig, base_T_part, direction, mm_per_count, from_mm, to_mm, max_speed_mm_s, accel_mm_s2,
-                   speed_tolerance, lead_s)
+                   speed_tolerance, lead_s, policy)
 };
 
 // The encoder of the belt.

@@ -21,10 +21,20 @@ bool PolicyMlp::identified() noexcept {
 }
 
 void PolicyMlp::load(std::span<const std::uint32_t> image, std::uint32_t crc) noexcept {
+  begin_load();
+  load_next(image.first(std::min(image.size(), kMemoryWords)));
+  end_load(crc);
+}
+
+void PolicyMlp::begin_load() noexcept {
   bus_.write32(base_ + reg::kAddressOffset, 0);
-  for (const std::uint32_t word : image.first(std::min(image.size(), kMemoryWords))) {
-    bus_.write32(base_ + reg::kDataOffset, word);
-  }
+}
+
+void PolicyMlp::load_next(std::span<const std::uint32_t> words) noexcept {
+  for (const std::uint32_t word : words) bus_.write32(base_ + reg::kDataOffset, word);
+}
+
+void PolicyMlp::end_load(std::uint32_t crc) noexcept {
   bus_.write32(base_ + reg::kCrcOffset, crc);
 }
 

@@ -26,6 +26,10 @@ class PolicyMlp {
 
   // At most kMemoryWords words. `crc`: the CRC-32 of what a run reads of them. No effect while busy.
   void load(std::span<const std::uint32_t> image, std::uint32_t crc) noexcept;
+  // The same in parts: from the first word on; the next words; the checksum.
+  void begin_load() noexcept;
+  void load_next(std::span<const std::uint32_t> words) noexcept;
+  void end_load(std::uint32_t crc) noexcept;
   // The largest magnitude of an output, 0..127; at once.
   void set_bound(std::uint8_t bound) noexcept;
 

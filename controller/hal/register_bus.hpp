@@ -42,6 +42,7 @@ enum class Work : std::uint8_t {
   kRetarget,        // one joint-space plan from a state of motion: in a tick, or for one trial of a corner
   kInverse,         // one inverse kinematics on a path: in a tick, or for one sample of a plan's check
   kProgramStep,     // one step of a program: a line, or a part of it
+  kNetwork,         // one run of the network that corrects a belt, in a tick
 };
 
 class RegisterBus {

@@ -47,6 +47,9 @@ struct ControllerConfig {
                          {&gcode, is_known(gcode.frame, base_T_user)},
                          {&cordic, !cordic || !paper},
                          {&inverse, !inverse || !pendant},
+                         // The logic of Vo 2021 has no network.
+                         {&conveyor, !paper || !conveyor || !conveyor->policy ||
+                                         conveyor->policy->where == BeltPolicyConfig::Where::kArm},
                          {&program_start, program_start.value_or(kStart) >= kStart},
                          {&program_resumes_after, program_resumes_after.value_or(kStart) >= kStart}});
   }

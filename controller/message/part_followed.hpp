@@ -37,7 +37,11 @@ struct PartFollowed {
   double displacement_mm = 0.0;      // of the part, as measured
   // kEnded: the largest distance of the frame of the set-points from the measured belt after kSynchronised.
   double deviation_mm = 0.0;
-  ARMATURE_MEMBERS(PartFollowed, phase, end, axis, part, tag, tick, displacement_mm, deviation_mm)
+  // kEnded, with a network (ConveyorConfig::policy): the ticks since the arm waited for the part in which it corrected
+  // where the belt is expected; in which the belt was outside the ranges of training; in which it gave no result.
+  std::uint32_t corrected = 0, out_of_range = 0, no_result = 0;
+  ARMATURE_MEMBERS(PartFollowed, phase, end, axis, part, tag, tick, displacement_mm, deviation_mm, corrected,
+                   out_of_range, no_result)
 };
 
 }  // namespace armature

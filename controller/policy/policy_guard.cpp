@@ -1,12 +1,29 @@
 #include "controller/policy/policy_guard.hpp"
 
+#include <algorithm>
+
 namespace armature {
 
 bool PolicyGuard::start(std::span<const std::uint32_t> image, std::uint32_t crc) noexcept {
-  usable_ = block_.identified();
-  if (!usable_) return false;
-  block_.set_bound(share_);
-  block_.load(image, crc);
+  begun_ = usable_ = false;
+  load(image, crc, image.size());
+  return usable_;
+}
+
+bool PolicyGuard::load(std::span<const std::uint32_t> image, std::uint32_t crc, std::size_t words) noexcept {
+  if (!begun_) {
+    begun_ = true;
+    loaded_ = 0;
+    if (!block_.identified()) return true;
+    block_.set_bound(share_);
+    block_.begin_load();
+  }
+  const std::size_t count = std::min(words, image.size() - loaded_);
+  block_.load_next(image.subspan(loaded_, count));
+  loaded_ += count;
+  if (loaded_ < image.size()) return false;
+  block_.end_load(crc);
+  usable_ = true;
   return true;
 }
 

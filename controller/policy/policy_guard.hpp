@@ -6,6 +6,7 @@
 // bound is in the hardware: no fault of this class exceeds it.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -30,6 +31,9 @@ class PolicyGuard {
 
   // Loads an image. False: the block is not present or not supported; every correction is then 0.
   bool start(std::span<const std::uint32_t> image, std::uint32_t crc) noexcept;
+  // The same in parts, so that no tick is late: `words` more of it; true when all are loaded. Before that there is no
+  // request.
+  bool load(std::span<const std::uint32_t> image, std::uint32_t crc, std::size_t words) noexcept;
 
   void request(std::span<const double> observation) noexcept;
   // The correction of the last request; 0 without one.
@@ -41,7 +45,8 @@ class PolicyGuard {
   PolicyMlp block_;
   PolicyScale scale_;
   std::uint8_t share_;
-  bool usable_ = false, requested_ = false, late_ = false;
+  std::size_t loaded_ = 0;  // words
+  bool begun_ = false, usable_ = false, requested_ = false, late_ = false;
   Counts counts_;
 };
 

@@ -21,6 +21,16 @@ constexpr std::uint32_t kReluBit = 1u << 16, kLastBit = 1u << 17;
 
 }  // namespace
 
+std::uint32_t PolicyNetwork::checksum(std::span<const std::uint32_t> words) noexcept {
+  constexpr std::uint32_t kPolynomial = 0xEDB8'8320;
+  std::uint32_t sum = 0xFFFF'FFFF;
+  for (const std::uint32_t word : words) {
+    sum ^= word;  // four bytes, the lowest bit first
+    for (int bit = 0; bit < 32; ++bit) sum = (sum >> 1) ^ ((sum & 1u) != 0 ? kPolynomial : 0u);
+  }
+  return ~sum;
+}
+
 std::optional<PolicyNetwork> PolicyNetwork::decode(std::span<const std::uint32_t> image) noexcept {
   PolicyNetwork network;
   std::size_t at = 0;

@@ -22,6 +22,9 @@ class PolicyNetwork {
   // `image`: must live as long as the network. None: it has a fifth layer or no end.
   [[nodiscard]] static std::optional<PolicyNetwork> decode(std::span<const std::uint32_t> image) noexcept;
 
+  // CRC-32 (as zlib) of words, the low byte of each first: what a run of the block computes of the words that it reads.
+  [[nodiscard]] static std::uint32_t checksum(std::span<const std::uint32_t> words) noexcept;
+
   // Inputs that are missing are 0, as outputs that the network does not have. No output exceeds `bound` (0..127).
   [[nodiscard]] Outputs evaluate(std::span<const std::int8_t> inputs, std::uint8_t bound) const noexcept;
 

@@ -2,8 +2,12 @@
 #pragma once
 
 #include <array>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
+
+#include "controller/cell/belt_policy_config.hpp"
 
 namespace armature::cosim {
 
@@ -13,6 +17,14 @@ inline constexpr std::string_view kConveyorFrameName = "conveyor";
 struct BeltSpeedSpec {
   double at_s = 0;
   double speed_mm_s = 0;
+};
+
+// [conveyor.policy]: a network corrects where the belt is expected.
+struct BeltPolicySpec {
+  std::string file_name;  // as written, relative to the scenario
+  BeltPolicyConfig::Where on = BeltPolicyConfig::Where::kLogic;
+  double percent = 100;        // of the largest correction of the network
+  BeltPolicyConfig network{};  // of the file; not `where` and `share`
 };
 
 struct ConveyorSpec {
@@ -26,6 +38,7 @@ struct ConveyorSpec {
   double accel_mm_s2 = 2000;
   double speed_tolerance_percent = 10;
   double lead_ms = 0;
+  std::optional<BeltPolicySpec> policy{};  // none: no network
 
   // The motion of the belt.
   double speed_mm_s = 0;              // from the start on

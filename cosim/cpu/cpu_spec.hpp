@@ -28,12 +28,13 @@ struct CpuSpec {
   std::int64_t retarget_compute_cycles = 750;      // 15 us: a joint plan from a state of motion
   std::int64_t inverse_compute_cycles = 150;       // 3 us: inverse kinematics of one pose, the nearest branch only
   std::int64_t program_step_compute_cycles = 250;  // 5 us: a line of a program, or a part of it
+  std::int64_t network_compute_cycles = 200;       // 4 us: the network of a belt, some 450 products of bytes
 };
 
 // The costs of a core whose instructions are charged: none.
 [[nodiscard]] constexpr CpuSpec without_costs(CpuSpec spec) noexcept {
   spec.interrupt_entry_cycles = spec.tick_compute_cycles = spec.plan_compute_cycles = spec.retarget_compute_cycles =
-      spec.inverse_compute_cycles = spec.program_step_compute_cycles = 0;
+      spec.inverse_compute_cycles = spec.program_step_compute_cycles = spec.network_compute_cycles = 0;
   return spec;
 }
 
@@ -52,6 +53,8 @@ struct CpuSpec {
       return spec.inverse_compute_cycles;
     case Work::kProgramStep:
       return spec.program_step_compute_cycles;
+    case Work::kNetwork:
+      return spec.network_compute_cycles;
   }
   return 0;
 }

@@ -86,6 +86,9 @@ void EventLog::log(const PartFollowed& part, Cycles now) {
             ended ? fmt::format(" ({}{}), largest deviation of the frame {:.4f} mm", word_of(part.end),
                                 axis_suffix(part.axis), part.deviation_mm)
                   : std::string{});
+  if (!ended || part.corrected + part.out_of_range + part.no_result == 0) return;
+  log_.info("{} part[{}]: a network corrected {} ticks; in {} the belt was outside its ranges, in {} it had no result",
+            stamp(now), part.part, part.corrected, part.out_of_range, part.no_result);
 }
 
 void EventLog::log(const ProgramNoted& note, Cycles now) {

@@ -76,7 +76,17 @@ ArmGeometry to_arm_geometry(const KinematicsSpec& kinematics) {
   };
 }
 
+BeltPolicyConfig to_policy_config(const BeltPolicySpec& policy) {
+  constexpr double kFullByte = 127;
+  BeltPolicyConfig config = policy.network;
+  config.where = policy.on;
+  config.share = static_cast<std::uint8_t>(policy.percent / 100.0 * kFullByte);
+  return config;
+}
+
 ConveyorConfig to_conveyor_config(const ConveyorSpec& conveyor) {
+  std::optional<BeltPolicyConfig> policy;
+  if (conveyor.policy) policy = to_policy_config(*conveyor.policy);
   return {.base_T_part = to_transform({.xyz_mm = conveyor.xyz_mm, .rpy_deg = conveyor.rpy_deg}),
           .direction = to_vector(conveyor.direction).normalized(),
           .mm_per_count = conveyor.mm_per_count,
@@ -85,7 +95,8 @@ ConveyorConfig to_conveyor_config(const ConveyorSpec& conveyor) {
           .max_speed_mm_s = conveyor.max_speed_mm_s,
           .accel_mm_s2 = conveyor.accel_mm_s2,
           .speed_tolerance = conveyor.speed_tolerance_percent / 100.0,
-          .lead_s = conveyor.lead_ms * 1e-3};
+          .lead_s = conveyor.lead_ms * 1e-3,
+          .policy = policy};
 }
 
 UserFrames to_user_frames(const std::vector<FrameSpec>& frames) {

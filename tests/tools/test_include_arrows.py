@@ -23,7 +23,7 @@ CONTROLLER = {
     "cell": {"base", "robot", "kinematics", "trajectory", "message"},
     "motion": {"base", "hal", "robot", "kinematics", "trajectory", "drivers", "message", "cell"},
 }
-CONTROLLER["activity"] = CONTROLLER["motion"] | {"motion"}
+CONTROLLER["activity"] = CONTROLLER["motion"] | {"motion", "policy"}
 CONTROLLER["command"] = CONTROLLER["activity"] | {"activity"}
 CONTROLLER["language"] = {
     "base",
@@ -138,6 +138,7 @@ COSIM = {
     },
     "run": {"time", "text", "net", "soc", "serial", "trace", "scenario", "golden", "report", "kernel"},
     "campaign": {"time", "text", "fabric", "robot", "fault", "scenario", "trace", "report", "kernel", "run"},
+    "train": {"time", "text", "belt"},
     "snapshot": {"net"},
     "serve": {"text", "net", "logic", "soc"},
 }

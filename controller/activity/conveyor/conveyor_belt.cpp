@@ -4,7 +4,7 @@
 
 namespace armature {
 
-void ConveyorBelt::sample(std::int64_t counts, Ticks tick) noexcept {
+void ConveyorBelt::sample(std::int64_t counts, Ticks tick, double correction_mm) noexcept {
   const double measured_mm = position_of(counts, mm_per_count_);
   if (!sampled_) {
     position_mm_ = measured_mm;
@@ -15,18 +15,18 @@ void ConveyorBelt::sample(std::int64_t counts, Ticks tick) noexcept {
   }
   const double time_s = seconds(tick - tick_);
   tick_ = tick;
-  const double pole = 1.0 / (1.0 + kBandwidth * time_s), gain = 1.0 - pole;
+  const double pole = 1.0 / (1.0 + bandwidths_.observer * time_s), gain = 1.0 - pole;
   const AxisState predicted =
       after({.position = position_mm_, .velocity = velocity_mm_s_, .accel = accel_mm_s2_}, 0.0, time_s);
-  const double error_mm = measured_mm - predicted.position;
-  position_mm_ = predicted.position + (1.0 - pole * pole * pole) * error_mm;
-  velocity_mm_s_ = predicted.velocity + 1.5 * gain * gain * (1.0 + pole) / time_s * error_mm;
-  accel_mm_s2_ += gain * gain * gain / (time_s * time_s) * error_mm;
+  error_mm_ = measured_mm - predicted.position;
+  position_mm_ = predicted.position + (1.0 - pole * pole * pole) * error_mm_;
+  velocity_mm_s_ = predicted.velocity + 1.5 * gain * gain * (1.0 + pole) / time_s * error_mm_;
+  accel_mm_s2_ += gain * gain * gain / (time_s * time_s) * error_mm_;
 
-  const AxisState target =
+  target_ =
       after({.position = position_mm_, .velocity = velocity_mm_s_, .accel = accel_mm_s2_}, 0.0, ahead_s_ - time_s);
-  const double accel = accel_mm_s2_ + kBandwidth * (kBandwidth * (target.position - expected_.position) +
-                                                    2.0 * (target.velocity - expected_.velocity));
+  const double second = bandwidths_.second, error = target_.position + correction_mm - expected_.position;
+  const double accel = accel_mm_s2_ + second * (second * error + 2.0 * (target_.velocity - expected_.velocity));
   expected_ = after({.position = expected_.position, .velocity = expected_.velocity, .accel = accel}, 0.0, time_s);
 }
 

@@ -12,7 +12,7 @@ namespace armature {
 
 ConveyorSource::ConveyorSource(const RobotModel& robot, const Arm& arm, const Transform& flange_T_tool,
                                const ConveyorConfig& config, BeltEncoder& encoder, Channel& channel,
-                               EventListener& events) noexcept
+                               EventListener& events, BeltCorrection* correction) noexcept
     : robot_{robot},
       config_{config},
       encoder_{encoder},
@@ -20,11 +20,17 @@ ConveyorSource::ConveyorSource(const RobotModel& robot, const Arm& arm, const Tr
       plan_store_{channel.plan_store},
       events_{events},
       belt_{config.mm_per_count, kTicksToEmit * kTickSeconds + config.lead_s},
+      correction_{correction},
       motion_{robot, arm, config, flange_T_tool, 1.0},
       progress_{events} {}
 
 void ConveyorSource::observe(Ticks tick) noexcept {
-  belt_.sample(encoder_.counts(), tick);
+  const double correction_mm = correction_ != nullptr ? correction_->collect() : 0.0;
+  belt_.sample(encoder_.counts(), tick, correction_mm);
+  if (correction_ != nullptr) {
+    observation_.add(belt_);
+    correction_->request(observation_.values());
+  }
   store_.belt_mm.store(belt_.position_mm(), std::memory_order_relaxed);
   store_.belt_mm_s.store(belt_.velocity_mm_s(), std::memory_order_relaxed);
   const ConveyorRequest* late = phase_ == Phase::kOff ? store_.request.front() : nullptr;
@@ -39,6 +45,7 @@ void ConveyorSource::begin(const Request&, const PerAxis<Radians>& stand, Ticks)
   begin_mm_ = request_->begin_mm;
   synchronised_ = request_done_ = release_ = stop_ = false;
   result_ = {.part = request_->part, .tag = tag_of(request_->plan, 0)};
+  if (correction_ != nullptr) counts_at_begin_ = correction_->counts();
   set_point_ = {.position = stand};
 }
 
@@ -160,6 +167,7 @@ void ConveyorSource::end(PartEnd end, Ticks tick, std::uint8_t axis) noexcept {
       drop_request(tick, end == PartEnd::kStopped ? Refusal::kNotReady : Refusal::kPartLost);
     }
   }
+  count_corrections();
   report(PartPhase::kEnded, tick);
   const PerAxis<AxisState> state = motion_.state();
   for (std::size_t i = 0; i < robot_.axis_count; ++i) {
@@ -170,6 +178,14 @@ void ConveyorSource::end(PartEnd end, Ticks tick, std::uint8_t axis) noexcept {
   }
   braked_ticks_ = 0;
   still_ticks_ = 0;
+}
+
+void ConveyorSource::count_corrections() noexcept {
+  if (correction_ == nullptr) return;
+  const PolicyGuard::Counts &now = correction_->counts(), &then = counts_at_begin_;
+  result_.corrected = now.used - then.used;
+  result_.out_of_range = now.out_of_range - then.out_of_range;
+  result_.no_result = now.late + now.invalid - then.late - then.invalid;
 }
 
 void ConveyorSource::drop_request(Ticks tick, Refusal reason) noexcept {
@@ -212,6 +228,7 @@ void ConveyorSource::cut_short(Ticks tick) noexcept {
   phase_ = Phase::kOff;
   if (request_ != nullptr) drop_request(tick, Refusal::kNotReady);
   result_.end = PartEnd::kFault;
+  count_corrections();
   if (!ended) report(PartPhase::kEnded, tick);
 }
 

@@ -13,6 +13,8 @@
 
 #include "controller/activity/activity_source.hpp"
 #include "controller/activity/channel.hpp"
+#include "controller/activity/conveyor/belt_correction.hpp"
+#include "controller/activity/conveyor/belt_observation.hpp"
 #include "controller/activity/conveyor/conveyor_belt.hpp"
 #include "controller/activity/conveyor/conveyor_motion.hpp"
 #include "controller/activity/conveyor/part_store.hpp"
@@ -28,9 +30,10 @@ namespace armature {
 
 class ConveyorSource final : public ActivitySource {
  public:
-  // References must outlive the source.
+  // References must outlive the source. `correction`: of the expected belt; null: none.
   ConveyorSource(const RobotModel& robot, const Arm& arm, const Transform& flange_T_tool, const ConveyorConfig& config,
-                 BeltEncoder& encoder, Channel& channel, EventListener& events) noexcept;
+                 BeltEncoder& encoder, Channel& channel, EventListener& events,
+                 BeltCorrection* correction = nullptr) noexcept;
   ConveyorSource(const ConveyorSource&) = delete;
   ConveyorSource& operator=(const ConveyorSource&) = delete;
 
@@ -54,6 +57,7 @@ class ConveyorSource final : public ActivitySource {
   void follow(Ticks tick, const AxisState& part) noexcept;
   void report_progress(Ticks tick) noexcept;
   void end_request() noexcept;
+  void count_corrections() noexcept;
   void end(PartEnd end, Ticks tick, std::uint8_t axis = 0) noexcept;
   void drop_request(Ticks tick, Refusal reason) noexcept;
   void drop_next(Ticks tick, Refusal reason) noexcept;
@@ -68,6 +72,9 @@ class ConveyorSource final : public ActivitySource {
   PlanStore& plan_store_;
   EventListener& events_;
   ConveyorBelt belt_;
+  BeltObservation observation_{};
+  BeltCorrection* correction_;
+  PolicyGuard::Counts counts_at_begin_{};  // of correction_
   ConveyorMotion motion_;
   Phase phase_ = Phase::kOff;
   const ConveyorRequest* request_ = nullptr;  // in the store, being executed

@@ -109,6 +109,9 @@ void RunFactsCollector::add(const StreamEnded& stream) {
 void RunFactsCollector::add(const PartFollowed& part) {
   if (part.phase == PartPhase::kMissed) ++facts_.missed_parts;
   if (part.phase == PartPhase::kEnded) facts_.conveyor_ends.emplace_back(word_of(part.end));
+  facts_.corrected_ticks += part.corrected;
+  facts_.uncorrected_ticks += part.out_of_range;
+  facts_.uncorrected_ticks += part.no_result;
   if (tracking_error_) tracking_error_->add(part);
 }
 

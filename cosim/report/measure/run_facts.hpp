@@ -117,6 +117,8 @@ struct RunFacts {
 
   std::vector<std::string> conveyor_ends;  // PartEnd: why each following of a part ended, in the order of time
   std::int64_t missed_parts = 0;
+  std::int64_t corrected_ticks = 0;                     // of the followed parts: by the network of [conveyor.policy]
+  std::int64_t uncorrected_ticks = 0;                   // in which it gave no result, or was not asked
   std::int64_t solved_poses = 0;                        // by the logic
   double solver_difference_pulses = 0;                  // largest, of their joint angles from software
   std::optional<PathDeviation> tracking_error;          // of the encoders

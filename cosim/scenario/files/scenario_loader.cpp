@@ -5,6 +5,7 @@
 #include <system_error>
 #include <utility>
 
+#include "cosim/scenario/files/belt_policy_file.hpp"
 #include "cosim/scenario/files/pendant_file.hpp"
 #include "cosim/scenario/files/points_file.hpp"
 #include "cosim/scenario/files/program_file.hpp"
@@ -130,6 +131,7 @@ Scenario load_scenario(const fs::path& where, const LoadOptions& options) {
   std::move(program_problems.begin(), program_problems.end(), std::back_inserter(all));
   if (all.empty()) read_streams(scenario, all);
   if (all.empty()) load_points(scenario, all);
+  if (all.empty()) load_belt_policy(scenario, all);
   if (all.empty()) load_pendant_programs(scenario, all);
   if (!all.empty()) throw InputError{std::move(all)};
   scenario.sources.push_back(scenario.robot.source);

@@ -70,6 +70,29 @@ const KeyTable<BeltSpeedSpec>& belt_speed_keys() {
   return kTable;
 }
 
+std::string check_policy_variant(BeltPolicySpec&, const KeyContext& context) {
+  return context.scenario->variant == Variant::kPaper ? "the logic of variant = \"paper\" has no network"
+                                                      : std::string{};
+}
+
+const KeyTable<BeltPolicySpec>& belt_policy_keys() {
+  static const KeyTable<BeltPolicySpec> kTable{
+      .text =
+          "A network of 8-bit integers corrects where the belt is expected when the set-points are executed. "
+          "`armature train` makes its file. It is at most the largest correction of the file, and there is none where "
+          "the belt is outside the ranges of training.",
+      .keys = {
+          key("file", &BeltPolicySpec::file_name, anything(), "File of the network, relative to the scenario file.")
+              .required()
+              .checked(check_policy_variant),
+          named_key("on", &BeltPolicySpec::on,
+                    "What computes it, with the same results: `logic`: the block policy_mlp, `arm`: core 0."),
+          key("percent", &BeltPolicySpec::percent, between(0, 100, "percent"),
+              "Largest correction, as a share of that of the file. 0: none."),
+      }};
+  return kTable;
+}
+
 }  // namespace
 
 const KeyTable<ConveyorSpec>& conveyor_keys() {
@@ -122,7 +145,8 @@ const KeyTable<ConveyorSpec>& conveyor_keys() {
               key("wave_length_mm", &ConveyorSpec::wave_length_mm, above(0, kMaxPlaceMm, "mm"),
                   "Distance that the belt moves in one turn of its drum."),
           },
-      .tables = {tables("speed", &ConveyorSpec::speeds, belt_speed_keys())}};
+      .tables = {tables("speed", &ConveyorSpec::speeds, belt_speed_keys()),
+                 table("policy", &ConveyorSpec::policy, belt_policy_keys())}};
   return kTable;
 }
 

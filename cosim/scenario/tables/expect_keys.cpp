@@ -212,6 +212,12 @@ const KeyTable<ExpectSpec>& expect_keys() {
               key("max_command_tracking_error_mm", &ExpectSpec::max_command_tracking_error_mm, distance(),
                   "The same of the set-points. It begins when the arm is synchronised with the part.")
                   .needs(Needs::kKinematics),
+              key("min_corrected_ticks", &ExpectSpec::min_corrected_ticks, count(),
+                  "Least number of ticks in which the network of `[conveyor.policy]` corrected where the belt is "
+                  "expected. A tick counts from the time on at which the arm waits for a part."),
+              key("max_uncorrected_ticks", &ExpectSpec::max_uncorrected_ticks, count(),
+                  "Largest allowed number of such ticks without a correction: the belt was outside the ranges of "
+                  "training, the network was not the one of its checksum, or the logic was late."),
               key("unfinished_moves", &ExpectSpec::unfinished_moves, count(),
                   "Number of moves that still wait or move when the run ends. A move that a stop or a fault cut short "
                   "has ended.")

@@ -110,6 +110,8 @@ const KeyTable<CpuSpec>& cpu_keys() {
           // At least one, for the same reason: a program may have an endless loop.
           key("program_step_compute_cycles", &CpuSpec::program_step_compute_cycles, between(1, kMaxCycles, "cycles"),
               "Time that core 1 needs for one step of a program: a line, or a part of it."),
+          key("network_compute_cycles", &CpuSpec::network_compute_cycles, between(0, kMaxCycles, "cycles"),
+              "Time that core 0 needs in each tick for the network of `[conveyor.policy]`, with `on = \"arm\"`."),
       }};
   return kTable;
 }

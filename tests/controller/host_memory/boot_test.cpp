@@ -30,17 +30,21 @@ RobotModel full_robot() {
   robot.arm.sign[2] = -1.0;
   return robot;
 }
+BeltPolicyConfig test_policy() {
+  return {.where = BeltPolicyConfig::Where::kArm, .full_mm = 1.0, .words = 2};
+}
 ControllerConfig full_config() {
-  ControllerConfig config{.sync = SyncRule::kTimeScale,
-                          .feedback = false,
-                          .paper = PaperEncoders{.axis = 3, .switch_every = Ticks{20}},
-                          .flange_T_tool = {.position_mm = {1, 2, 3}},
-                          .max_stretch = 7.5,
-                          .pendant = pendant::PendantConfig{.profile = pendant::Profile::kExtended},
-                          .conveyor = ConveyorConfig{.direction = Eigen::Vector3d::UnitY(), .to_mm = 300.0},
-                          .program_start = std::nullopt,
-                          .program_resumes_after = Ticks{400},
-                          .referenced = false};
+  ControllerConfig config{
+      .sync = SyncRule::kTimeScale,
+      .feedback = false,
+      .paper = PaperEncoders{.axis = 3, .switch_every = Ticks{20}},
+      .flange_T_tool = {.position_mm = {1, 2, 3}},
+      .max_stretch = 7.5,
+      .pendant = pendant::PendantConfig{.profile = pendant::Profile::kExtended},
+      .conveyor = ConveyorConfig{.direction = Eigen::Vector3d::UnitY(), .to_mm = 300.0, .policy = test_policy()},
+      .program_start = std::nullopt,
+      .program_resumes_after = Ticks{400},
+      .referenced = false};
   config.base_T_user[1] = Transform{.rotation = rotation_from_rpy(0.1, 0.2, 0.3), .position_mm = {4, 5, 6}};
   config.job.flange_T_tool[7] = Transform{.position_mm = {7, 8, 9}};
   config.job.device_pin = {1, 2, 3};
@@ -200,6 +204,15 @@ TEST(Boot, AValueThatIsNotAllowedIsNamed) {
       {[](ControllerConfig& config) { config.cordic = true; }, "cordic"},  // not with `paper`
       {[](ControllerConfig& config) { config.conveyor->to_mm = -1.0; }, "conveyor.to_mm"},
       {[](ControllerConfig& config) { config.conveyor->direction.x() = 1.0; }, "conveyor.direction"},
+      // The logic of `paper` has no network.
+      {[](ControllerConfig& config) { config.conveyor->policy->where = BeltPolicyConfig::Where::kLogic; },
+       "conveyor.has_value"},
+      {[](ControllerConfig& config) { config.conveyor->policy->words = 0; }, "conveyor.policy.words"},
+      {[](ControllerConfig& config) { config.conveyor->policy->words = 257; }, "conveyor.policy.words"},
+      {[](ControllerConfig& config) { config.conveyor->policy->share = 128; }, "conveyor.policy.share"},
+      {[](ControllerConfig& config) { config.conveyor->policy->inputs[3].high = -2.0; },
+       "conveyor.policy.inputs.3.high"},
+      {[](ControllerConfig& config) { config.conveyor->policy->full_mm = 0.0; }, "conveyor.policy.full_mm"},
       {[](ControllerConfig& config) { config.job.device_pin[1] = 17; }, "job.device_pin"},
       {[](ControllerConfig& config) { config.job.accel_mm_s2 = 0.0; }, "job.accel_mm_s2"},
       {[](ControllerConfig& config) { config.gcode.analog[3].first_pin = 10; }, "gcode.analog.3.bits"},

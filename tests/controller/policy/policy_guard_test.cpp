@@ -8,39 +8,11 @@
 #include "controller/policy/policy_network.hpp"
 #include "cosim/model/policy_mlp/policy_mlp.hpp"
 #include "tests/controller/support/mock_register_bus.hpp"
+#include "tests/controller/support/policy_block_bus.hpp"
 #include "tests/support/mlp_images.hpp"
 
 namespace armature {
 namespace {
-
-// The block alone, an edge per access; accesses to other addresses read 0.
-class BlockBus final : public RegisterBus {
- public:
-  std::uint32_t read32(RegAddr addr) noexcept override {
-    return edge({.read = true, .raddr = static_cast<std::uint16_t>(addr.value)}).rdata;
-  }
-  void write32(RegAddr addr, std::uint32_t value) noexcept override {
-    edge({.write = true, .waddr = static_cast<std::uint16_t>(addr.value), .wdata = value, .wstrb = 0xF});
-    edge({});
-  }
-  Interrupts wait_for_interrupt(Interrupts /*mask*/) noexcept override { return Interrupts::kNone; }
-  void send_event() noexcept override {}
-  Cycles now() noexcept override { return now_; }
-  void charge(Work /*work*/, std::int64_t /*times*/) noexcept override {}
-
-  void pass(std::int64_t clocks) {
-    for (std::int64_t i = 0; i < clocks; ++i) edge({});
-  }
-
- private:
-  cosim::model::Answer edge(const cosim::model::Strobes& access) {
-    now_ += Cycles{1};
-    return block_.edge(now_, access, {});
-  }
-
-  cosim::model::PolicyMlp block_;
-  Cycles now_{};
-};
 
 class PolicyGuardTest : public testing::Test {
  protected:
@@ -69,7 +41,7 @@ class PolicyGuardTest : public testing::Test {
     return scale;
   }
 
-  BlockBus bus_;
+  test::PolicyBlockBus bus_;
   PolicyScale scale_ = make_scale();
   test::TestImage image_;
   std::uint32_t crc_ = 0;
@@ -135,6 +107,22 @@ TEST_F(PolicyGuardTest, EachFlippedBitOfTheImageGivesNoCorrection) {
   }
   EXPECT_EQ(guard_.counts().invalid, kFlips);
   EXPECT_EQ(guard_.counts().used, 0u);
+}
+
+TEST_F(PolicyGuardTest, LoadsAnImageInPartsAndAnswersOnlyThen) {
+  constexpr std::size_t kWords = 8;
+  const std::size_t parts = (image_.size() + kWords - 1) / kWords;
+  for (std::size_t part = 1; part < parts; ++part) {
+    ASSERT_FALSE(guard_.load(image_, crc_, kWords)) << part;
+    EXPECT_EQ(tick({0.5, -0.5, 0.5, 0.5}), PolicyScale::Correction{});
+  }
+  ASSERT_TRUE(guard_.load(image_, crc_, kWords));
+  tick({0.5, -0.5, 0.5, 0.5});
+  const auto in_parts = guard_.collect();
+  EXPECT_EQ(guard_.counts().used, 1u);
+  ASSERT_TRUE(guard_.start(image_, crc_));
+  tick({0.5, -0.5, 0.5, 0.5});
+  EXPECT_EQ(guard_.collect(), in_parts);
 }
 
 TEST(PolicyGuardWithoutABlock, HasNoCorrection) {

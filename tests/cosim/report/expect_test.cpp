@@ -47,6 +47,8 @@ RunFacts good_run() {
   facts.final_load_deg = PerAxis<double>{0, -0.05, 0, 0, 0, 0};
   facts.lost_motion_deg = PerAxis<double>{0, 0, 0, 0.08, 0, 0};
   facts.settle_s = 0.02;
+  facts.corrected_ticks = 50;
+  facts.uncorrected_ticks = 4;
   facts.solved_poses = 100;
   facts.solver_difference_pulses = 0.5;
   facts.homings = {
@@ -96,6 +98,8 @@ ExpectSpec all_of_it() {
   expect.max_residual_deg = 0.6;
   expect.min_stretch = 4;
   expect.max_stretch = 4;
+  expect.min_corrected_ticks = 50;
+  expect.max_uncorrected_ticks = 4;
   expect.min_solved_poses = 100;
   expect.max_solver_difference_pulses = 0.5;
   expect.homing_ends = {{"homed", "no_index"}};
@@ -196,6 +200,8 @@ TEST(Expect, EachKeyFailsForItselfAndSaysWhatItGot) {
        "expect.final_tcp_mm: expected [100, 200, 300.01] +-0.01, got not measured"},
       {[](RunFacts& f) { f.moves[1].stretch = 3.99; }, "expect.min_stretch: expected at least 4, got 3.99"},
       {[](RunFacts& f) { f.moves[1].stretch = 4.01; }, "expect.max_stretch: expected at most 4, got 4.01"},
+      {[](RunFacts& f) { f.corrected_ticks = 49; }, "expect.min_corrected_ticks: expected at least 50, got 49"},
+      {[](RunFacts& f) { f.uncorrected_ticks = 5; }, "expect.max_uncorrected_ticks: expected at most 4, got 5"},
       {[](RunFacts& f) { f.solved_poses = 99; }, "expect.min_solved_poses: expected at least 100, got 99"},
       {[](RunFacts& f) { f.solver_difference_pulses = 0.51; },
        "expect.max_solver_difference_pulses: expected at most 0.5 pulses, got 0.51 pulses"},

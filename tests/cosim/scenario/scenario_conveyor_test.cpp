@@ -1,6 +1,9 @@
 // [conveyor], the motion of its belt, and what the controller gets.
 #include <gtest/gtest.h>
 
+#include <optional>
+#include <string>
+
 #include "controller/message/command.hpp"
 #include "cosim/belt/belt_motion.hpp"
 #include "cosim/scenario/to_controller.hpp"
@@ -39,6 +42,38 @@ frame = "conveyor"
   EXPECT_EQ(config.conveyor->to_mm, 300);
   EXPECT_DOUBLE_EQ(config.conveyor->lead_s, 0.005);
   EXPECT_EQ(std::get<CartesianMove>(to_command(scenario.moves[0])).target.frame, kConveyorFrame);
+}
+
+constexpr const char* kWithPolicy = R"(description = "test"
+robot = "abb_irb120"
+duration_s = 3
+[conveyor]
+xyz_mm = [400, -200, 100]
+window_mm = [10, 300]
+[conveyor.policy]
+file = "a.policy"
+on = "arm"
+percent = 50
+)";
+
+TEST(ScenarioConveyor, TheControllerGetsTheNetworkOfTheFile) {
+  const test::TempFolder folder;
+  std::string network = "full_mm 0.5\ncrc 0000000f\nimage 00000007\n";
+  for (int i = 0; i < 10; ++i) network += "input -1 2\n";
+  folder.write("s/a.policy", network);
+  const Scenario scenario = load_scenario(folder.write("s/scenario.toml", kWithPolicy), test::shipped());
+  const std::optional<BeltPolicyConfig> policy = to_controller_config(scenario).conveyor->policy;
+  ASSERT_TRUE(policy);
+  EXPECT_EQ(policy->where, BeltPolicyConfig::Where::kArm);
+  EXPECT_EQ(policy->share, 63);  // never more than the half
+  EXPECT_EQ(policy->full_mm, 0.5);
+  EXPECT_EQ(policy->image[0], 7u);
+  EXPECT_EQ(scenario.sources.size(), 3u);
+}
+
+TEST(ScenarioConveyor, ANetworkThatIsMissingIsAProblem) {
+  const test::TempFolder folder;
+  EXPECT_THROW((void)load_scenario(folder.write("s/scenario.toml", kWithPolicy), test::shipped()), InputError);
 }
 
 TEST(ScenarioConveyor, TheBeltRampsToEachSpeed) {

@@ -1,4 +1,6 @@
-"""[conveyor] and [[conveyor.speed]]."""
+"""[conveyor], [[conveyor.speed]] and [conveyor.policy]."""
+
+import zlib
 
 # The flange of each arm, where all joints are at 0 and at READY [mm].
 FLANGE_MM = {
@@ -36,3 +38,26 @@ def put_conveyor(draft):
         draft.table("conveyor.speed", "[[conveyor.speed]]")
         draft.put("at_s", at_s)
         draft.put("speed_mm_s", rng.choice([0, 0.5, 50, 10000]))
+
+
+def put_policy(draft):
+    """[conveyor.policy] with a network of any weights. Its checksum is nearly always right."""
+    rng = draft.rng
+    if not draft.has_conveyor or draft.paper or rng.random() < 0.4:
+        return
+    draft.table("conveyor.policy")
+    draft.put("file", "random.policy")
+    draft.maybe("on", lambda: rng.choice(["logic", "arm"]), 0.6)
+    draft.maybe("percent", lambda: draft.number(0, 100))
+    draft.files["random.policy"] = policy_text(rng)
+
+
+def policy_text(rng):
+    words = [0x0002_0100, 0, rng.getrandbits(28), rng.getrandbits(16), *(rng.getrandbits(32) for _ in range(4))]
+    if rng.random() < 0.1:
+        words[0] = rng.getrandbits(32)
+    data = b"".join(word.to_bytes(4, "little") for word in words)
+    lines = ["full_mm " + rng.choice(["0.25", "100"])]
+    lines += ["input -1e9 1e9" if rng.random() < 0.9 else "input -1 1" for _ in range(10)]
+    lines += [f"crc {zlib.crc32(data) if rng.random() < 0.9 else 1:08x}"]
+    return "\n".join([*lines, "image " + " ".join(f"{word:08x}" for word in words)]) + "\n"

@@ -1,5 +1,6 @@
 """A scenario file that is being written, and draws of values."""
 
+import contextlib
 import json
 
 
@@ -45,6 +46,13 @@ class Draft:
     def maybe(self, key, make, chance=0.4):
         if self.rng.random() < chance:
             self.put(key, make())
+
+    @contextlib.contextmanager
+    def aside(self):
+        """Draws in it change nothing of what is drawn behind it: for new keys within a table."""
+        state = self.rng.getstate()
+        yield
+        self.rng.setstate(state)
 
     def table(self, name, header=None):
         self.open_table = name

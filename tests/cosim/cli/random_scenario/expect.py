@@ -86,6 +86,9 @@ def put_expect(draft):
     draft.maybe("final_outputs", lambda: sorted(rng.sample(range(1, 17), rng.randint(0, 3))), few)
     draft.maybe("min_solved_poses", draft.count, few)
     draft.maybe("max_solver_difference_pulses", lambda: draft.number(0, 1), few)
+    with draft.aside():
+        draft.maybe("min_corrected_ticks", draft.count, few)
+        draft.maybe("max_uncorrected_ticks", draft.count, few)
     for at_s in sorted(draft.at() for _ in range(rng.choice([0, 0, 2]))):
         draft.table("expect.output", "[[expect.output]]")
         draft.put("at_s", at_s)

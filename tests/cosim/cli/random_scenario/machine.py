@@ -41,6 +41,8 @@ def put_machine(draft):
     draft.maybe("retarget_compute_cycles", lambda: draft.integer(0, 4000), 0.2)
     draft.maybe("inverse_compute_cycles", lambda: draft.integer(1, 500), 0.5)
     draft.maybe("program_step_compute_cycles", lambda: draft.integer(1, 2000), 0.2)
+    with draft.aside():
+        draft.maybe("network_compute_cycles", lambda: draft.integer(0, 500), 0.5)
     draft.maybe("processor", lambda: "host", 0.2)
     draft.table("bus")
     latency = draft.integer(0, 150)

@@ -1,6 +1,6 @@
 """A whole scenario: all tables in their order."""
 
-from .conveyor import put_conveyor
+from .conveyor import put_conveyor, put_policy
 from .draft import Draft
 from .expect import put_expect
 from .machine import put_machine, put_places, put_run, put_solver
@@ -38,4 +38,5 @@ def draw(rng, robots):
         draft.table("golden")
         draft.put("sha256", "0123456789abcdef" * 4)
     put_later_fault(draft)
+    put_policy(draft)
     return draft
