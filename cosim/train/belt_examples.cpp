@@ -24,7 +24,9 @@ double drawn(Random& random, double low, double high) {
 
 // Its speed changes again and again, also while it changes; its drum is not quite round.
 ConveyorSpec random_belt(Random& random, const BeltTask& task) {
-  ConveyorSpec belt{.mm_per_count = task.mm_per_count, .lead_ms = task.lead_ms};
+  ConveyorSpec belt;
+  belt.mm_per_count = task.mm_per_count;
+  belt.lead_ms = task.lead_ms;
   belt.speed_mm_s = drawn(random, 0, kMostSpeed);
   belt.belt_accel_mm_s2 = drawn(random, kLeastAccel, kMostAccel);
   for (double at_s = drawn(random, 0.1, 0.3); at_s < kRun_s; at_s += drawn(random, 0.1, 0.4)) {
