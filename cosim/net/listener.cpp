@@ -6,14 +6,13 @@
 #include <sys/un.h>
 
 #include <cerrno>
-#include <charconv>
 #include <cstring>
-#include <system_error>
 
 #include "cosim/net/generic_address.hpp"
 #include "cosim/net/stream_socket.hpp"
 #include "cosim/net/token.hpp"
 #include "cosim/text/input_error.hpp"
+#include "cosim/text/number_text.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -39,10 +38,7 @@ bool server_listens(const sockaddr_un& name) {
 }  // namespace
 
 std::optional<std::uint16_t> parse_port(std::string_view digits) {
-  std::uint16_t port = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), port);
-  if (error != std::errc{} || end != digits.data() + digits.size()) return std::nullopt;
-  return port;
+  return parsed_number<std::uint16_t>(digits);
 }
 
 ListenAddress parse_listen_address(std::string_view text) {

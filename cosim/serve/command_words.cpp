@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
 #include "cosim/text/blanks.hpp"
+#include "cosim/text/number_text.hpp"
 
 namespace armature::cosim {
 
@@ -20,10 +20,7 @@ std::string in_quotes(std::string_view text) {
 std::optional<std::uint64_t> protocol_number(std::string_view word) {
   const bool hex = word.starts_with("0x") || word.starts_with("0X");
   if (hex) word.remove_prefix(2);
-  std::uint64_t value = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value, hex ? 16 : 10);
-  if (error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
-  return value;
+  return parsed_number<std::uint64_t>(word, hex ? 16 : 10);
 }
 
 std::string_view CommandWords::word(std::string_view what) {

@@ -1,16 +1,15 @@
 // One line of comma-separated values without quotes, as all tables that armature reads have them.
 #pragma once
 
-#include <charconv>
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "cosim/text/input_error.hpp"
+#include "cosim/text/number_text.hpp"
 
 namespace armature::cosim {
 
@@ -46,11 +45,7 @@ class CsvLine {
   // Nothing if not all of the value is a number. `base`: nothing, or that of an integer.
   template <class T, class... Base>
   [[nodiscard]] std::optional<T> number(std::size_t column, Base... base) const {
-    const std::string_view text = values_[column];
-    T value{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base...);
-    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-    return value;
+    return parsed_number<T>(values_[column], base...);
   }
 
   // Throws InputError with the place of the value.

@@ -1,15 +1,18 @@
-// A number as messages and files show it: the shortest decimal that reads back as the same double, no locale.
+// Numbers as messages and files show them, and back, without a locale.
 #pragma once
 
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <system_error>
 
 namespace armature::cosim {
 
-// Whole numbers are written out (`1000000000`, not `1e+09`).
+// The shortest decimal that reads back as the same double. Whole numbers are written out (`1000000000`, not `1e+09`).
 [[nodiscard]] inline std::string number_text(double value) {
   constexpr double kWrittenOut = 1e15;
   if (std::trunc(value) == value && std::fabs(value) < kWrittenOut) {
@@ -25,6 +28,15 @@ namespace armature::cosim {
   std::array<char, 512> text{};
   const auto result = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, digits);
   return {text.data(), result.ptr};
+}
+
+// Nothing if not all of the text is a number. `base`: nothing, or that of an integer.
+template <class T, class... Base>
+[[nodiscard]] std::optional<T> parsed_number(std::string_view text, Base... base) {
+  T value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base...);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
 }
 
 }  // namespace armature::cosim

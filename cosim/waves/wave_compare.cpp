@@ -1,11 +1,12 @@
 #include "cosim/waves/wave_compare.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <limits>
 #include <set>
 #include <unordered_map>
 #include <utility>
+
+#include "cosim/text/number_text.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -146,11 +147,9 @@ class WaveComparer {
   static std::optional<std::int64_t> tick_of(const WaveReader& file) {
     const auto found = std::ranges::find(file.signals(), kTickSignal, &WaveSignal::name);
     if (found == file.signals().end()) return std::nullopt;
-    const std::string& digits = file.value(found->value);
-    std::uint32_t bits = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), bits, 2);
-    if (error != std::errc{} || end != digits.data() + digits.size()) return std::nullopt;
-    return static_cast<std::int32_t>(bits);
+    const auto bits = parsed_number<std::uint32_t>(file.value(found->value), 2);
+    if (!bits) return std::nullopt;
+    return static_cast<std::int32_t>(*bits);
   }
 
   WaveReader a_, b_;

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
 #include <limits>
 #include <utility>
 
 #include "cosim/text/input_error.hpp"
+#include "cosim/text/number_text.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -23,10 +23,8 @@ std::string_view shortest(std::string_view digits) {
 }
 
 std::optional<std::int64_t> whole_number(std::string_view digits) {
-  std::int64_t number = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-  if (error != std::errc{} || end != digits.data() + digits.size() || number < 0) return std::nullopt;
-  return number;
+  const auto number = parsed_number<std::int64_t>(digits);
+  return number && *number >= 0 ? number : std::nullopt;
 }
 
 }  // namespace

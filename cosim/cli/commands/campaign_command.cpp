@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <cstddef>
 #include <cstdlib>
 #include <iostream>
@@ -30,6 +29,7 @@
 #include "cosim/report/format/progress_bar.hpp"
 #include "cosim/scenario/files/robot_loader.hpp"
 #include "cosim/text/input_error.hpp"
+#include "cosim/text/number_text.hpp"
 #include "cosim/text/printable.hpp"
 #include "cosim/text/shell_text.hpp"
 #include "cosim/text/text_file.hpp"
@@ -78,14 +78,6 @@ struct CampaignOptions {
   OutputOptions output;
 };
 
-// A whole number of an environment variable or of an option; none: it is none.
-std::optional<std::int64_t> whole_number(std::string_view text) {
-  std::int64_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
 Shard shard_of(const CampaignOptions& given) {
   std::string text = given.shard, name = "--shard";
   if (text.empty()) {
@@ -96,8 +88,8 @@ Shard shard_of(const CampaignOptions& given) {
     name = "TEST_SHARD_INDEX/TEST_TOTAL_SHARDS";
   }
   const std::size_t slash = std::min(text.find('/'), text.size());
-  const auto index = whole_number(std::string_view{text}.substr(0, slash));
-  const auto total = whole_number(std::string_view{text}.substr(std::min(slash + 1, text.size())));
+  const auto index = parsed_number<std::int64_t>(std::string_view{text}.substr(0, slash));
+  const auto total = parsed_number<std::int64_t>(std::string_view{text}.substr(std::min(slash + 1, text.size())));
   if (!index || !total || *index < 0 || *index >= *total) {
     throw InputError{name, fmt::format("expected I/N with 0 <= I < N, found {}", printable(text))};
   }

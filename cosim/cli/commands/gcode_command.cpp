@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +18,7 @@
 #include "cosim/cli/texts/canon_text.hpp"
 #include "cosim/programs/gcode_files.hpp"
 #include "cosim/text/input_error.hpp"
+#include "cosim/text/number_text.hpp"
 #include "cosim/text/printable.hpp"
 
 namespace armature::cosim {
@@ -51,12 +52,9 @@ struct GcodeOptions {
 
 // A number of the command line; the whole text.
 double parse_define(const std::string& define, std::string_view text) {
-  double value = 0.0;
-  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (problem != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {
-    throw InputError("--define " + define, "expected NAME=NUMBER");
-  }
-  return value;
+  const std::optional<double> value = parsed_number<double>(text);
+  if (!value || !std::isfinite(*value)) throw InputError("--define " + define, "expected NAME=NUMBER");
+  return *value;
 }
 
 // A program with the files of its subroutines, which stand beside it.

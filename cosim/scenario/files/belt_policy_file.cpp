@@ -1,11 +1,12 @@
 #include "cosim/scenario/files/belt_policy_file.hpp"
 
-#include <charconv>
 #include <cstddef>
 #include <filesystem>
-#include <system_error>
+#include <optional>
 #include <utility>
 
+#include "cosim/text/csv_line.hpp"
+#include "cosim/text/number_text.hpp"
 #include "cosim/text/printable.hpp"
 #include "cosim/text/text_file.hpp"
 
@@ -33,21 +34,19 @@ class PolicyLine {
   }
   [[nodiscard]] double number(double least, double most) {
     const std::string_view word = next();
-    double value = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc{} || end != word.data() + word.size() || !(value >= least && value <= most)) {
+    const std::optional<double> value = parsed_number<double>(word);
+    if (!value || !(*value >= least && *value <= most)) {
       refuse("expected a number, found \"" + printable(std::string{word}) + "\"");
     }
-    return value;
+    return *value;
   }
   [[nodiscard]] std::uint32_t hexadecimal(std::string_view word) const {
     constexpr std::size_t kDigits = 8;
-    std::uint32_t value = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value, 16);
-    if (word.size() != kDigits || error != std::errc{} || end != word.data() + word.size()) {
+    const auto value = parsed_number<std::uint32_t>(word, 16);
+    if (word.size() != kDigits || !value) {
       refuse("expected 8 hexadecimal digits, found \"" + printable(std::string{word}) + "\"");
     }
-    return value;
+    return *value;
   }
   void end() {
     if (const std::string_view word = next(); !word.empty()) {
@@ -126,11 +125,7 @@ class PolicyReader {
 
 BeltPolicyConfig parse_belt_policy(std::string_view text, const std::string& name) {
   PolicyReader reader{name};
-  for (int line = 1; !text.empty(); ++line) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    reader.read(text.substr(0, end), line);
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
+  for (int line = 1; !text.empty(); ++line) reader.read(pop_line(text), line);
   return reader.config();
 }
 

@@ -1,6 +1,5 @@
 #include "cosim/scenario/toml/override.hpp"
 
-#include <charconv>
 #include <cstddef>
 #include <optional>
 #include <string_view>
@@ -10,6 +9,7 @@
 #include "cosim/scenario/toml/toml_document.hpp"
 #include "cosim/scenario/toml/toml_limits.hpp"
 #include "cosim/scenario/toml/value_rule.hpp"
+#include "cosim/text/number_text.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -33,10 +33,9 @@ std::optional<std::vector<Step>> parse_path(std::string_view text) {
     while (text.starts_with('[')) {
       const std::size_t close = text.find(']');
       if (close == std::string_view::npos) return std::nullopt;
-      std::size_t index = 0;
-      const auto [end, error] = std::from_chars(text.data() + 1, text.data() + close, index);
-      if (error != std::errc{} || end != text.data() + close) return std::nullopt;
-      steps.emplace_back(index);
+      const auto index = parsed_number<std::size_t>(text.substr(1, close - 1));
+      if (!index) return std::nullopt;
+      steps.emplace_back(*index);
       text.remove_prefix(close + 1);
     }
     if (text.empty()) return steps;
