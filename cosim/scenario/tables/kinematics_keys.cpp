@@ -47,7 +47,7 @@ Key<KinematicsSpec> link(std::string_view name, double KinematicsSpec::*member, 
 Key<KinematicsSpec> joints(std::string_view name, PerAxis<double> KinematicsSpec::*member, Rule rule,
                            std::string_view family, std::string_view text) {
   rule.count = joints_of(family);
-  return key(name, member, std::move(rule), text).required().only(when("family", {family}));
+  return key(name, member, rule, text).required().only(when("family", {family}));
 }
 Key<KinematicsSpec> sign_key(std::string_view family) {
   return joints("sign", &KinematicsSpec::sign, one_of_numbers({1, -1}), family,
