@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "controller/base/crc32.hpp"
+
 namespace armature {
 namespace {
 
@@ -22,13 +24,9 @@ constexpr std::uint32_t kReluBit = 1u << 16, kLastBit = 1u << 17;
 }  // namespace
 
 std::uint32_t PolicyNetwork::checksum(std::span<const std::uint32_t> words) noexcept {
-  constexpr std::uint32_t kPolynomial = 0xEDB8'8320;
-  std::uint32_t sum = 0xFFFF'FFFF;
-  for (const std::uint32_t word : words) {
-    sum ^= word;  // four bytes, the lowest bit first
-    for (int bit = 0; bit < 32; ++bit) sum = (sum >> 1) ^ ((sum & 1u) != 0 ? kPolynomial : 0u);
-  }
-  return ~sum;
+  Crc32 sum;
+  for (const std::uint32_t word : words) sum.add(word);
+  return sum.value();
 }
 
 std::optional<PolicyNetwork> PolicyNetwork::decode(std::span<const std::uint32_t> image) noexcept {
