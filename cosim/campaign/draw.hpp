@@ -26,9 +26,7 @@ class Draw {
   [[nodiscard]] const auto& one_of(const List& list) {
     return list[static_cast<std::size_t>(integer(0, static_cast<std::int64_t>(list.size()) - 1))];
   }
-  [[nodiscard]] double number(double low, double high) {
-    return low + (high - low) * static_cast<double>(random_.next() >> 11) * 0x1.0p-53;
-  }
+  [[nodiscard]] double number(double low, double high) { return random_.between(low, high); }
   // Each decade between both ends, which are above 0, is equally likely. The value has three digits.
   [[nodiscard]] double decades(double low, double high);
   [[nodiscard]] std::uint64_t seed() { return random_.next() >> 1; }

@@ -17,8 +17,12 @@ class Random {
     return z ^ (z >> 31);
   }
 
+  // A multiple of 2^-53 in [0, 1).
+  double unit() { return static_cast<double>(next() >> 11) * 0x1.0p-53; }
+  // In [low, high).
+  double between(double low, double high) { return low + (high - low) * unit(); }
   // True with the given probability, to 2^-53.
-  bool chance(double probability) { return static_cast<double>(next() >> 11) * 0x1.0p-53 < probability; }
+  bool chance(double probability) { return unit() < probability; }
 
  private:
   std::uint64_t state_;

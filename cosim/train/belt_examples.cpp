@@ -18,22 +18,18 @@ constexpr std::int64_t kRunTicks = 19'800;
 constexpr double kMostSpeed = 200;                       // mm/s
 constexpr double kLeastAccel = 500, kMostAccel = 4'000;  // mm/s^2
 
-double drawn(Random& random, double low, double high) {
-  return low + (high - low) * (static_cast<double>(random.next() >> 11) * 0x1.0p-53);
-}
-
 // Its speed changes again and again, also while it changes; its drum is not quite round.
 ConveyorSpec random_belt(Random& random, const BeltTask& task) {
   ConveyorSpec belt;
   belt.mm_per_count = task.mm_per_count;
   belt.lead_ms = task.lead_ms;
-  belt.speed_mm_s = drawn(random, 0, kMostSpeed);
-  belt.belt_accel_mm_s2 = drawn(random, kLeastAccel, kMostAccel);
-  for (double at_s = drawn(random, 0.1, 0.3); at_s < kRun_s; at_s += drawn(random, 0.1, 0.4)) {
-    belt.speeds.push_back({.at_s = at_s, .speed_mm_s = drawn(random, 0, kMostSpeed)});
+  belt.speed_mm_s = random.between(0, kMostSpeed);
+  belt.belt_accel_mm_s2 = random.between(kLeastAccel, kMostAccel);
+  for (double at_s = random.between(0.1, 0.3); at_s < kRun_s; at_s += random.between(0.1, 0.4)) {
+    belt.speeds.push_back({.at_s = at_s, .speed_mm_s = random.between(0, kMostSpeed)});
   }
-  belt.wave_mm = drawn(random, 0, 0.3);
-  belt.wave_length_mm = drawn(random, 300, 600);
+  belt.wave_mm = random.between(0, 0.3);
+  belt.wave_length_mm = random.between(300, 600);
   return belt;
 }
 

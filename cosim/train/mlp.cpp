@@ -19,7 +19,7 @@ Mlp::Mlp(std::span<const std::size_t> sizes, Random& random) {
         .inputs = inputs, .weights = std::vector<double>(inputs * count), .biases = std::vector<double>(count)};
     const double most = std::sqrt(6.0 / static_cast<double>(inputs));
     for (double& weight : layer.weights) {
-      weight = most * (static_cast<double>(random.next() >> 11) * 0x1.0p-52 - 1.0);
+      weight = most * (2 * random.unit() - 1.0);
     }
     const auto zeros = [](std::size_t size) {
       return Moments{std::vector<double>(size), std::vector<double>(size), std::vector<double>(size)};
