@@ -15,6 +15,7 @@ struct BeltPolicyConfig {
     kLogic,  // the block policy_mlp
     kArm,    // software of core 0, with the same bits
   };
+  static constexpr std::uint8_t kWhole = 127;  // the share that is all of the correction
   static constexpr std::size_t kInputs = 10;
   static constexpr std::size_t kMaxWords = 256;
   // Of an input in training; outside of it there is no correction.
@@ -30,15 +31,15 @@ struct BeltPolicyConfig {
 
   Where where = Where::kLogic;
   std::array<Range, kInputs> inputs{};  // in the order of BeltObservation
-  double full_mm = 0.0;                 // > 0; what an output of 127 means
-  std::uint8_t share = 127;             // the largest correction, in 1/127 of full_mm; 0 .. 127
+  double full_mm = 0.0;                 // > 0; what an output of kWhole means
+  std::uint8_t share = kWhole;          // the largest correction, in 1/kWhole of full_mm; 0 .. kWhole
   std::uint32_t crc = 0;                // of the image
   std::uint32_t words = 0;              // of the image, 1 .. kMaxWords
   std::array<std::uint32_t, kMaxWords> image{};
 
   [[nodiscard]] const void* misfit() const noexcept {
     return first_misfit(
-        {{&full_mm, is_positive(full_mm)}, {&share, share <= 127}, {&words, words >= 1 && words <= kMaxWords}});
+        {{&full_mm, is_positive(full_mm)}, {&share, share <= kWhole}, {&words, words >= 1 && words <= kMaxWords}});
   }
   ARMATURE_MEMBERS(BeltPolicyConfig, where, inputs, full_mm, share, crc, words, image)
 };

@@ -3,11 +3,6 @@
 #include <cmath>
 
 namespace armature {
-namespace {
-
-constexpr double kFullByte = 127;
-
-}  // namespace
 
 std::optional<PolicyScale::Bytes> PolicyScale::quantised(std::span<const double> observation) const noexcept {
   if (observation.size() < input_count || input_count > inputs.size()) return std::nullopt;
@@ -16,9 +11,9 @@ std::optional<PolicyScale::Bytes> PolicyScale::quantised(std::span<const double>
     const auto& [low, high] = inputs[i];
     const double value = observation[i];
     if (!(value >= low && value <= high)) return std::nullopt;  // also if it is not a number
-    const double centred = (value - (low + high) / 2) / ((high - low) / 2) * kFullByte;
+    const double centred = (value - (low + high) / 2) / ((high - low) / 2) * kFull;
     const double magnitude = std::floor(std::fabs(centred) + 0.5);
-    bytes[i] = static_cast<std::int8_t>(std::fmin(magnitude, kFullByte) * (centred < 0 ? -1 : 1));
+    bytes[i] = static_cast<std::int8_t>(std::fmin(magnitude, kFull) * (centred < 0 ? -1 : 1));
   }
   return bytes;
 }
@@ -27,7 +22,7 @@ PolicyScale::Correction PolicyScale::correction(
     const std::array<std::int8_t, PolicyMlp::kOutputs>& outputs) const noexcept {
   Correction correction{};
   for (std::size_t i = 0; i < output_count && i < correction.size(); ++i) {
-    correction[i] = outputs[i] / kFullByte * full_output[i];
+    correction[i] = outputs[i] / kFull * full_output[i];
   }
   return correction;
 }

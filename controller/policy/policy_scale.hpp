@@ -13,12 +13,13 @@ namespace armature {
 
 // The ranges of training. The units are those of the observation and of the correction.
 struct PolicyScale {
+  static constexpr double kFull = 127;  // the largest magnitude of a byte
   struct Range {
     double low = 0, high = 0;  // of an input; low < high
   };
   std::array<Range, PolicyMlp::kInputs> inputs{};
   std::size_t input_count = 0;
-  // What an output of 127 means; output_count of them.
+  // What an output of kFull means; output_count of them.
   std::array<double, PolicyMlp::kOutputs> full_output{};
   std::size_t output_count = 0;
 

@@ -77,10 +77,9 @@ ArmGeometry to_arm_geometry(const KinematicsSpec& kinematics) {
 }
 
 BeltPolicyConfig to_policy_config(const BeltPolicySpec& policy) {
-  constexpr double kFullByte = 127;
   BeltPolicyConfig config = policy.network;
   config.where = policy.on;
-  config.share = static_cast<std::uint8_t>(policy.percent / 100.0 * kFullByte);
+  config.share = static_cast<std::uint8_t>(policy.percent / 100.0 * BeltPolicyConfig::kWhole);
   return config;
 }
 

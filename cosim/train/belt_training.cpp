@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <span>
 
+#include "controller/activity/conveyor/belt_correction.hpp"
 #include "controller/policy/policy_network.hpp"
 #include "controller/policy/policy_scale.hpp"
 #include "cosim/text/number_text.hpp"
@@ -19,7 +21,6 @@ namespace armature::cosim {
 namespace {
 
 using Inputs = std::array<double, BeltPolicyConfig::kInputs>;
-constexpr double kFullByte = 127;
 constexpr std::array<std::size_t, 4> kSizes{BeltPolicyConfig::kInputs, 16, 16, 1};
 constexpr std::size_t kBatch = 64;
 constexpr double kRate = 3e-3;
@@ -39,15 +40,6 @@ void set_ranges(std::span<const BeltExample> examples, BeltPolicyConfig& network
   }
 }
 
-PolicyScale scale_of_network(const BeltPolicyConfig& network) {
-  PolicyScale scale{.input_count = network.inputs.size(), .output_count = 1};
-  for (std::size_t i = 0; i < network.inputs.size(); ++i) {
-    scale.inputs[i] = {.low = network.inputs[i].low, .high = network.inputs[i].high};
-  }
-  scale.full_output[0] = network.full_mm;
-  return scale;
-}
-
 // The bytes of the inputs, from -1 to 1: the network is trained on what it will get.
 std::vector<Inputs> scaled_inputs(std::span<const BeltExample> examples, const PolicyScale& scale) {
   std::vector<Inputs> all;
@@ -55,7 +47,7 @@ std::vector<Inputs> scaled_inputs(std::span<const BeltExample> examples, const P
   for (const BeltExample& example : examples) {
     const PolicyScale::Bytes bytes = scale.quantised(example.inputs).value_or(PolicyScale::Bytes{});
     Inputs& inputs = all.emplace_back();
-    for (std::size_t i = 0; i < inputs.size(); ++i) inputs[i] = bytes[i] / kFullByte;
+    for (std::size_t i = 0; i < inputs.size(); ++i) inputs[i] = bytes[i] / PolicyScale::kFull;
   }
   return all;
 }
@@ -109,12 +101,12 @@ double rms_left(std::span<const BeltExample> examples, const Answer& answer) {
 }  // namespace
 
 BeltAnswer answer_of(const BeltPolicyConfig& network) {
-  const std::vector<std::uint32_t> image{network.image.begin(), network.image.begin() + network.words};
-  return [image, scale = scale_of_network(network)](const BeltObservation::Values& observation) {
-    const std::optional<PolicyNetwork> decoded = PolicyNetwork::decode(image);
+  const auto image = std::make_shared<const std::array<std::uint32_t, BeltPolicyConfig::kMaxWords>>(network.image);
+  const std::optional<PolicyNetwork> decoded = PolicyNetwork::decode(std::span{*image}.first(network.words));
+  return [image, decoded, scale = scale_of(network)](const BeltObservation::Values& observation) {
     const auto bytes = scale.quantised(observation);
     if (!decoded || !bytes) return 0.0;
-    return scale.correction(decoded->evaluate(std::span{*bytes}.first(scale.input_count), 127))[0];
+    return scale.correction(decoded->evaluate(std::span{*bytes}.first(scale.input_count), BeltPolicyConfig::kWhole))[0];
   };
 }
 
@@ -124,7 +116,7 @@ TrainedBelt train_belt(const BeltTraining& training) {
   TrainedBelt trained{
       .network = {.full_mm = full_mm}, .examples = examples.size(), .examples_sha256 = digest_of_examples(examples)};
   set_ranges(examples, trained.network);
-  const std::vector<Inputs> inputs = scaled_inputs(examples, scale_of_network(trained.network));
+  const std::vector<Inputs> inputs = scaled_inputs(examples, scale_of(trained.network));
   Random random{training.seed};
   Mlp mlp = trained_mlp(training, examples, inputs, random);
   const std::vector<std::uint32_t> image = network_image(mlp, largest_values(mlp, inputs));

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <cstddef>
 
+#include "controller/policy/policy_scale.hpp"
+
 namespace armature::cosim {
 namespace {
 
-constexpr double kFull = 127;
+constexpr double kFull = PolicyScale::kFull;
 constexpr std::size_t kLanes = 8;
 
 // A number between 0 and 1 as multiplier / 2^(16 + shift), with 16 bits.

@@ -4,7 +4,8 @@
 #include <utility>
 
 namespace armature {
-namespace {
+
+static_assert(BeltPolicyConfig::kWhole == PolicyScale::kFull);
 
 PolicyScale scale_of(const BeltPolicyConfig& config) noexcept {
   PolicyScale scale{.input_count = config.inputs.size(), .output_count = 1};
@@ -14,8 +15,6 @@ PolicyScale scale_of(const BeltPolicyConfig& config) noexcept {
   scale.full_output[0] = config.full_mm;
   return scale;
 }
-
-}  // namespace
 
 BeltCorrection::BeltCorrection(RegisterBus& bus, const BeltPolicyConfig& config) noexcept
     : bus_{bus}, config_{config}, scale_{scale_of(config)} {

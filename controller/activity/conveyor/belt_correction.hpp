@@ -15,8 +15,12 @@
 #include "controller/hal/register_bus.hpp"
 #include "controller/policy/policy_guard.hpp"
 #include "controller/policy/policy_network.hpp"
+#include "controller/policy/policy_scale.hpp"
 
 namespace armature {
+
+// Between the numbers of a belt and the bytes of its network.
+[[nodiscard]] PolicyScale scale_of(const BeltPolicyConfig& config) noexcept;
 
 class BeltCorrection {
  public:
