@@ -79,7 +79,7 @@ const KeyTable<BeltPolicySpec>& belt_policy_keys() {
   static const KeyTable<BeltPolicySpec> kTable{
       .text =
           "A network of 8-bit integers corrects where the belt is expected when the set-points are executed. "
-          "`armature train` makes its file. It is at most the largest correction of the file, and there is none where "
+          "`armature train` makes its file, which states the largest correction. There is no correction while "
           "the belt is outside the ranges of training.",
       .keys = {
           key("file", &BeltPolicySpec::file_name, anything(), "File of the network, relative to the scenario file.")
