@@ -63,6 +63,7 @@ class Report(Program):
             return data_of(file.read_text())["trace"]["columns"][0]["rows"] if file.exists() else 0
 
         self.wait_until(lambda: rows() > 0)
+        self.wait_for("x/reload.js")  # written after the page
         before, digest = rows(), self.page("x/reload.js")
         self.wait_until(lambda: rows() > before)
         self.assertIsNone(report.poll())
