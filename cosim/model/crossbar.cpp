@@ -46,18 +46,7 @@ void Crossbar::write_edge(Cycles at, const AxiMasterPins& in, std::span<const Ax
     write_.forwarded = false;
     return;
   }
-  if (write_.waits) {
-    const AxiSlavePins& block = *blocks[*write_.target];
-    if (block.awready) held_.awvalid = false;
-    if (block.wready) held_.wvalid = false;
-    const bool late = at - write_.sent_at >= kTimeout;
-    if (!block.bvalid && !late) return;
-    pins_.bvalid = true;
-    pins_.bresp = block.bvalid ? block.bresp : kSlaveError;
-    if (!block.bvalid) write_.hung |= 1u << *write_.target;
-    write_.waits = held_.awvalid = held_.wvalid = false;
-    return;
-  }
+  if (write_.waits) return take_write_response(at, *blocks[*write_.target]);
   if (held && !write_.forwarded) {
     const auto response = forward(write_, at, hung);
     held_.awvalid = held_.wvalid = !response;
@@ -78,6 +67,19 @@ void Crossbar::write_edge(Cycles at, const AxiMasterPins& in, std::span<const Ax
   }
 }
 
+void Crossbar::take_write_response(Cycles at, const AxiSlavePins& block) {
+  const bool unasked = held_.awvalid || held_.wvalid;
+  if (block.awready) held_.awvalid = false;
+  if (block.wready) held_.wvalid = false;
+  const bool late = at - write_.sent_at >= kTimeout;
+  if (!block.bvalid && !late) return;
+  const bool answers = block.bvalid && !unasked;
+  pins_.bvalid = true;
+  pins_.bresp = answers ? block.bresp : kSlaveError;
+  if (!answers) write_.hung |= 1u << *write_.target;
+  write_.waits = held_.awvalid = held_.wvalid = false;
+}
+
 void Crossbar::read_edge(Cycles at, const AxiMasterPins& in, std::span<const AxiSlavePins* const> blocks,
                          std::uint32_t hung) {
   const auto respond = [this](std::uint32_t data, std::uint8_t response) {
@@ -93,10 +95,11 @@ void Crossbar::read_edge(Cycles at, const AxiMasterPins& in, std::span<const Axi
     read_.forwarded = false;
   } else if (read_.waits) {
     const AxiSlavePins& block = *blocks[*read_.target];
+    const bool unasked = held_.arvalid;
     if (block.arready) held_.arvalid = false;
-    if (block.rvalid) {
+    if (block.rvalid && !unasked) {
       respond(block.rdata, block.rresp);
-    } else if (at - read_.sent_at >= kTimeout) {
+    } else if (block.rvalid || at - read_.sent_at >= kTimeout) {
       read_.hung |= 1u << *read_.target;
       respond(0, kSlaveError);
     }

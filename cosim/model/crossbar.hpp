@@ -2,8 +2,8 @@
 //
 // Writes and reads are independent and have one transaction in flight each. A request is held from its handshake until
 // its response has been accepted. It reaches its block two edges after the handshake, and the response takes one edge
-// back. An address without a block is answered DECERR. A block that does not answer within kTimeout edges is answered
-// SLVERR, and so is every later request for it.
+// back. An address without a block is answered DECERR. A block that does not answer within kTimeout edges, or shows a
+// response before it has accepted the request, is answered SLVERR, and so is every later request for it.
 #pragma once
 
 #include <cstdint>
@@ -53,12 +53,14 @@ class Crossbar {
     bool waits = false;                 // for the response of the block `target`
     std::optional<std::size_t> target;  // the port that claims the address
     Cycles sent_at{};
-    std::uint32_t hung = 0;  // ports that gave no answer in time
+    std::uint32_t hung = 0;  // ports that were given up
 
     [[nodiscard]] std::optional<std::size_t> port() const { return waits ? target : std::nullopt; }
   };
 
   void write_edge(Cycles at, const AxiMasterPins& in, std::span<const AxiSlavePins* const> blocks, std::uint32_t hung);
+  // While the block has a write request: its response, or an error in the place of the block.
+  void take_write_response(Cycles at, const AxiSlavePins& block);
   void read_edge(Cycles at, const AxiMasterPins& in, std::span<const AxiSlavePins* const> blocks, std::uint32_t hung);
   // Forwards the held request. Returns the response when no block gets it.
   [[nodiscard]] static std::optional<std::uint8_t> forward(Path& path, Cycles at, std::uint32_t hung);

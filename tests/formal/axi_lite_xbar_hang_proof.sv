@@ -1,5 +1,5 @@
 // The bus watchdog of axi_lite_xbar with the first three blocks of arm_soc. Each slave may stop accepting and answering
-// at any time, in any order, and come back late. A port that was given up may do anything.
+// at any time, in any order, come back late, and show responses that nobody asked for: it has no rules at all.
 //
 // Three ports stand for all: the crossbar handles the bits of its port vectors alike, and ports differ only in what
 // they claim. That each request goes to the port that claims it, and the answer comes from there, is proved for all
@@ -7,8 +7,9 @@
 // in a write, one in a read, and a third one is neither. With all blocks this proof takes 30 times the time.
 //
 // The master gets every response in a bounded time. It is the response that the port gave to this request within
-// TimeoutClocks, or else SLVERR with zeros as data. A port is given up after exactly this time, nothing new is sent to
-// it until reset, and the other ports are not affected. So a late answer never passes as that of a later request.
+// TimeoutClocks, or else SLVERR with zeros as data. A port is given up after exactly this time, or at once when it
+// shows a response before it has accepted the request. Nothing new is sent to it until reset, and the other ports are
+// not affected. So neither a late answer nor one that stays passes as that of a later request.
 `include "assert.svh"
 `default_nettype none
 
@@ -37,10 +38,12 @@ module axi_lite_xbar_hang_proof #(
     .rdata(s_axi_rdata_o), .rresp(s_axi_rresp_o), .rvalid(s_axi_rvalid_o), .rready(s_axi_rready_i)
   );
 
-  // The parts of a request that each slave has accepted and not answered.
-  logic [Ports-1:0] aw_q, w_q, ar_q, b_done, r_done;
-  assign b_done = m_axi_bvalid_i & m_axi_bready_o;
-  assign r_done = m_axi_rvalid_i & m_axi_rready_o;
+  // The parts of a request that each slave has accepted and not answered. A response to less than that is no answer.
+  logic [Ports-1:0] aw_q, w_q, ar_q, b_done, r_done, b_unasked, r_unasked;
+  assign b_done    = m_axi_bvalid_i & m_axi_bready_o & (aw_q & w_q);
+  assign r_done    = m_axi_rvalid_i & m_axi_rready_o & ar_q;
+  assign b_unasked = m_axi_bvalid_i & m_axi_bready_o & ~(aw_q & w_q);
+  assign r_unasked = m_axi_rvalid_i & m_axi_rready_o & ~ar_q;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) {aw_q, w_q, ar_q} <= '0;
     else begin
@@ -50,25 +53,23 @@ module axi_lite_xbar_hang_proof #(
     end
   end
 
-  // A port is given up when READY for its response falls without a response.
-  logic [Ports-1:0] bready_q, rready_q, b_q, r_q, given_up_q, write_ends, read_ends, given_up;
+  // A port is given up when READY for its response falls without an answer.
+  logic [Ports-1:0] b_unasked_q, r_unasked_q, bready_q, rready_q, b_q, r_q, given_up_q, write_ends, read_ends, given_up;
   assign write_ends = bready_q & ~m_axi_bready_o & ~b_q;
   assign read_ends  = rready_q & ~m_axi_rready_o & ~r_q;
   assign given_up   = given_up_q | write_ends | read_ends;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) {bready_q, rready_q, b_q, r_q, given_up_q} <= '0;
-    else {bready_q, rready_q, b_q, r_q, given_up_q} <=
-        {m_axi_bready_o, m_axi_rready_o, m_axi_bvalid_i, m_axi_rvalid_i, given_up};
+    if (!rst_ni) {b_unasked_q, r_unasked_q, bready_q, rready_q, b_q, r_q, given_up_q} <= '0;
+    else {b_unasked_q, r_unasked_q, bready_q, rready_q, b_q, r_q, given_up_q} <=
+        {b_unasked, r_unasked, m_axi_bready_o, m_axi_rready_o, b_done, r_done, given_up};
   end
 
-  // A slave answers only what it has accepted, with a legal code. A port that was given up has no rules.
+  // An answer has a legal code.
   logic [Ports-1:0] bad_code_b, bad_code_r;
   for (genvar i = 0; i < Ports; i++) begin : gen_code
     assign bad_code_b[i] = m_axi_bresp_i[2*i];
     assign bad_code_r[i] = m_axi_rresp_i[2*i];
   end
-  `ASSUME(AnswersAWholeWrite, (m_axi_bvalid_i & ~(aw_q & w_q) & ~(given_up & ~m_axi_bready_o)) == '0)
-  `ASSUME(AnswersARead, (m_axi_rvalid_i & ~ar_q & ~(given_up & ~m_axi_rready_o)) == '0)
   `ASSUME(CodesAreLegal, (b_done & bad_code_b) == '0 && (r_done & bad_code_r) == '0)
 
   // The request in flight, and whether and what its port has answered.
@@ -112,8 +113,9 @@ module axi_lite_xbar_hang_proof #(
     write_time_q <= (!rst_ni || m_axi_bready_o == '0) ? '0 : write_time_q + 8'd1;
     read_time_q  <= (!rst_ni || m_axi_rready_o == '0) ? '0 : read_time_q + 8'd1;
   end
-  `ASSERT(ListensForTheWholeTime, (write_ends == '0 || write_time_q == 8'(TimeoutClocks)) &&
-          (read_ends == '0 || read_time_q == 8'(TimeoutClocks)))
+  `ASSERT(ListensForTheWholeTime, (write_ends == '0 || b_unasked_q != '0 || write_time_q == 8'(TimeoutClocks)) &&
+          (read_ends == '0 || r_unasked_q != '0 || read_time_q == 8'(TimeoutClocks)))
+  `ASSERT(UnaskedResponseGivesUp, (b_unasked_q & ~write_ends) == '0 && (r_unasked_q & ~read_ends) == '0)
 
   // Flops of u_dut and u_master, for the assertions that make the others inductive.
 `include "axi_lite_xbar_flops.svh"
@@ -154,6 +156,7 @@ module axi_lite_xbar_hang_proof #(
   `REACH(HungPortIsRefused, given_up_q[0] && given_up_q[1] && s_axi_rvalid_o && read_claim[0] && read_time_q == '0 &&
          !rready_q[0])
   `REACH(LateAnswer, given_up_q[0] && m_axi_rvalid_i[0] && ar_q[0] && !m_axi_rready_o[0])
+  `REACH(AnswerThatStaysIsRefused, r_unasked_q[0] && r_back_q == '0 && s_axi_rvalid_o && rdata_q != '0 && ar_q == '0)
   `REACH(WriteInFlightAtAPortThatAReadGivesUp, given_up_q[0] && b_done[0] && m_axi_bresp_i[1:0] == 2'b00)
 
 endmodule

@@ -333,6 +333,32 @@ TEST_P(ArmSocHang, ABlockThatHangsAnswersAnErrorAndTheOthersGoOn) {
   EXPECT_EQ(axi_.read(kGpio), (AxiReadResult{AxiResp::kSlvErr, 0}));
 }
 
+// The clock stops at any clock of an access. The access after it never gets the response of this one.
+TEST_P(ArmSocHang, ABlockThatStopsDuringAnAccessAnswersAnErrorToTheNext) {
+  for (int clocks = 0; clocks < 16; ++clocks) {
+    for (const bool is_read : {false, true}) {
+      SCOPED_TRACE(testing::Message() << (is_read ? "read" : "write") << ", clocks " << clocks);
+      dut_.rst_ni = 0;
+      hung_ = false;
+      axi_.step(kResetCycles);
+      dut_.rst_ni = 1;
+      if (is_read) {
+        axi_.post_read(kGpio);
+      } else {
+        axi_.post_write(kGpio, 1);
+      }
+      axi_.step(clocks);
+      hung_ = true;
+      axi_.step(400);
+      EXPECT_EQ(axi_.read_answers.size() + axi_.write_answers.size(), 1u);
+      axi_.read_answers.clear();
+      axi_.write_answers.clear();
+      EXPECT_EQ(axi_.write(kGpio, 2), AxiResp::kSlvErr);
+      EXPECT_EQ(axi_.read(kGpio), (AxiReadResult{AxiResp::kSlvErr, 0}));
+    }
+  }
+}
+
 TEST_P(ArmSocTest, NoOutputFollowsAnInputPinWithoutAClock) {
   start_timer();
   commit({200, -200, 50, -50, 7, 0});

@@ -1,4 +1,5 @@
-// axi_lite_xbar: slaves that do not answer in time. The bus watchdog answers in their place and gives their ports up.
+// axi_lite_xbar: slaves that do not answer in time, or whose responses stay. The bus watchdog answers in their place,
+// and gives their ports up.
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -18,6 +19,7 @@ class AxiXbarHang : public AxiXbarTest {
     axi_.step(2);
     dut_.rst_ni = 1;
     writes_stuck_ = reads_stuck_ = 0;
+    write_responses_stay_ = read_responses_stay_ = 0;
   }
 
   // Fills the data register of the crossbar with something that must not come back.
@@ -113,6 +115,25 @@ TEST_P(AxiXbarHang, PortsThatHangInAnyOrderStayGivenUp) {
       }
     }
   } while (std::ranges::next_permutation(order).found);
+}
+
+// The clock of a slave stops while it shows a response. This one belongs to its request, and to no later one, although
+// the slave may accept that.
+TEST_P(AxiXbarHang, AResponseThatNobodyAskedForIsAnErrorAndGivesThePortUp) {
+  for (std::size_t port = 0; port < kSlaves; ++port) {
+    SCOPED_TRACE(testing::Message() << "port " << port);
+    restart();
+    read_responses_stay_ = bit(port);
+    EXPECT_EQ(axi_.write(kBase[port] + kWord, 7), AxiResp::kOkay);
+    EXPECT_EQ(axi_.read(kBase[port] + kWord), (AxiReadResult{AxiResp::kOkay, 7}));
+    EXPECT_EQ(axi_.read(kBase[port] + kWord), (AxiReadResult{AxiResp::kSlvErr, 0}));
+    expect_given_up(bit(port));
+    restart();
+    write_responses_stay_ = bit(port);
+    EXPECT_EQ(axi_.write(kBase[port] + kWord, 7), AxiResp::kOkay);
+    EXPECT_EQ(axi_.write(kBase[port] + kWord, 8), AxiResp::kSlvErr);
+    expect_given_up(bit(port));
+  }
 }
 
 }  // namespace

@@ -20,7 +20,6 @@ KNOWN = {
     ("extra_pulses", "limit_exceeded"),
     ("encoder_cable", "too_late"),
     ("stray_write", "motion_after_stop"),
-    ("block_hang", "failed"),
 }
 SMALL = ("--runs", 12, "--robot", "kuka_kr6_r900", "--shrink", 0)
 

@@ -89,7 +89,8 @@ const std::vector<Case> kCases{
      .why = "The watchdog and the servo enables stand still with the block. Only the relay of `drop_out_us` takes the "
             "power away. A run without it never passes."},
     {.fault = R"(kind = "block_hang", clock = "motion")", .more = "drop_out_us = 500"},
-    {.fault = R"(kind = "block_hang", clock = "encoder")"},
+    {.fault = R"(kind = "block_hang", clock = "encoder")",
+     .why = "Also when the clock stops during a response: the crossbar refuses one that nobody asked for."},
     {.fault = R"(kind = "slave_error", address = 0x43C10008, count = 1)"},
     {.fault = R"(kind = "slow_slave", delay_us = 0.2, duration_s = 1)", .why = "Core 0 has the time."},
     {.fault = R"(kind = "slow_slave", delay_us = 5, duration_s = 1)"},

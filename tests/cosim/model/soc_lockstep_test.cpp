@@ -213,5 +213,23 @@ TEST_P(SocLockstep, BlocksThatHang) {
   }
 }
 
+// At each of many clocks in a row, so that some of them are within a response.
+TEST_P(SocLockstep, BlocksThatHangAtAnyClockOfAnAccess) {
+  for (const ClockGroup group : {ClockGroup::kIo, ClockGroup::kMotion, ClockGroup::kEncoder}) {
+    for (std::int64_t clock = 0; clock < 40; ++clock) {
+      const auto fabric = pair();
+      Surroundings surroundings{*fabric, GetParam(), kLockstepSeed + 3};
+      ASSERT_NO_FATAL_FAILURE(run(*fabric, surroundings, 100 + clock));
+      fabric->stop_clock_of(group);
+      try {
+        surroundings.run(400);
+      } catch (const EnginesDiffer& difference) {
+        FAIL() << word_of(group) << ", clock " << clock << ", cycle " << difference.cycle.value() << ": "
+               << difference.what;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace armature::cosim
