@@ -27,6 +27,7 @@ class DynamicAxes final : public Mechanics {
     arm_.weaken_brake(axis, share);
     return true;
   }
+  [[nodiscard]] std::uint8_t overloaded() const override { return arm_.overloaded(); }
   void keep() override { arm_.keep(); }
   void take_back() override { arm_.take_back(); }
   [[nodiscard]] std::optional<PerAxis<double>> load_lead_deg() const override {

@@ -71,6 +71,10 @@ class Mechanics {
   // Fault script: the holding brake of this motor has this share of its torque, 0..1. Returns false if it has none.
   virtual bool weaken_brake(std::size_t /*axis*/, double /*share*/) { return false; }
 
+  // Controlled drives whose overload alarm has tripped in a step, one bit each. Their bits stay until they are not
+  // controlled any more.
+  [[nodiscard]] virtual std::uint8_t overloaded() const { return 0; }
+
   // For mechanics with a state of their own: keep() marks this moment, take_back() returns to it.
   virtual void keep() {}
   virtual void take_back() {}

@@ -142,9 +142,10 @@ class Plant {
   void step_mechanics(Move move) {
     MotorDemands demands;
     for (std::size_t axis = 0; axis < kAxes; ++axis) demands.set(axis, drives_[axis].demand());
-    for_each_bit(mechanics_->step(moving_, demands, shafts_), [&](std::size_t axis) {
+    const std::uint8_t stepped = mechanics_->step(moving_, demands, shafts_);
+    for_each_bit(stepped, [&, overloaded = mechanics_->overloaded()](std::size_t axis) {
       ServoDrive& drive = drives_[axis];
-      drive.observe(shafts_[axis]);
+      drive.observe(shafts_[axis], has_bit(overloaded, axis));
       move(axis, drive.position(shafts_[axis]));
       set_bit(moving_, axis, !drive.idle());
     });

@@ -80,7 +80,7 @@ void Plant::revert_tick() {
 bool Plant::run_steps(const TickPulses& tick, Cycles spacing) {
   TickSteps& steps = ticks_->steps;
   steps.run(tick, drives_, moving_, *mechanics_, shafts_);
-  bool fine = true;
+  bool fine = mechanics_->overloaded() == 0;
   for_each_bit(steps.moved(),
                [&](std::size_t axis) { fine = fine && has_levels_of_inputs(axis) && follow_steps(axis, spacing); });
   if (!fine) return false;

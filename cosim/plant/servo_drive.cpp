@@ -80,9 +80,9 @@ MotorDemand ServoDrive::demand() const {
   return {.controlled = enabled(), .reference = static_cast<double>(gear().whole()) + gear().fraction()};
 }
 
-void ServoDrive::observe(const Shaft& shaft) {
+void ServoDrive::observe(const Shaft& shaft, bool overloaded) {
   if (enabled()) {
-    state_.alarm = std::fabs(shaft.error) > alarm_error_;
+    state_.alarm = overloaded || std::fabs(shaft.error) > alarm_error_;
     state_.in_position = !state_.alarm && std::fabs(shaft.error) < kInPositionCounts;
     state_.stepping_needed = state_.alarm || !shaft.at_rest();
   } else {

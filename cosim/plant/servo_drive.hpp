@@ -63,8 +63,9 @@ class ServoDrive {
   void repair();
 
   // demand() returns what the motor must do in the next step. observe() accepts the shaft after that step.
+  // `overloaded`: the motor is too hot, which is an alarm.
   [[nodiscard]] MotorDemand demand() const;
-  void observe(const Shaft& shaft);
+  void observe(const Shaft& shaft, bool overloaded = false);
 
   // True when further steps change nothing as long as the inputs do not change.
   [[nodiscard]] bool idle() const { return !state_.stepping_needed; }

@@ -48,6 +48,8 @@ struct DynamicsSpec {
   double gear_damping_nm_s = 0;  // of the gear
   double backlash_deg = 0;       // whole play at the joint
   double joint_viscous_nm_s = 0;
+  double rated_torque_nm = 0;                     // of the motor; 0: the drive has no overload alarm
+  double overload_200_s = 0, overload_300_s = 0;  // until this alarm, cold, with so many % of the rated torque
 };
 
 // [axis.homing]: how the controller finds the joint angle, see controller/activity/homing/axis_homing.hpp.

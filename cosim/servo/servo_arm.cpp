@@ -25,7 +25,7 @@ WholePair negative(Pair value) {
 }  // namespace
 
 ServoArm::ServoArm(const ServoNumbers& numbers, const ArmModel& model, int renewal)
-    : numbers_{numbers}, arm_{model}, renewal_{renewal} {
+    : numbers_{numbers}, arm_{model}, renewal_{renewal}, has_overload_alarm_{numbers.has_overload_alarm()} {
   state_.braking = numbers_.holding;
   const LoadSide::State load = arm_.at({}, {});
   for (std::size_t i = 0; i < kAxes; ++i) {
@@ -53,6 +53,7 @@ void ServoArm::step(std::uint8_t controlled, const AxisNumbers& reference, AxisN
   }
   for_each_bit(blocked_, [&](std::size_t axis) { state_.speed[axis] = 0.0; });
   const bool loads_move = turn_loads(gears);
+  if (has_overload_alarm_) warm_drives(controlled);
   const Pair h = both(numbers_.step_s);
   for (std::size_t i = 0; i < kAxisPairs; ++i) {
     const Pair turned = h * state_.speed.pair(i);
@@ -177,10 +178,23 @@ bool ServoArm::turn_loads(const std::array<Pair, kAxisPairs>& gears) {
   return any(moves);
 }
 
-// Axes of which nothing but the shaft can move.
+void ServoArm::warm_drives(std::uint8_t controlled) {
+  state_.overloaded &= controlled;
+  for (std::size_t i = 0; i < kAxisPairs; ++i) {
+    const Pair torque = state_.torque.pair(i);
+    const Pair rise = numbers_.heating.pair(i) * torque * torque - numbers_.cooling.pair(i);
+    state_.heat.set_pair(i, larger(state_.heat.pair(i) + rise, both(0.0)));
+  }
+  for_each_bit(controlled, [&](std::size_t axis) {
+    if (state_.heat[axis] >= 1.0) set_bit(state_.overloaded, axis, true);
+  });
+}
+
+// Axes of which nothing but the shaft can move, and nothing cools down.
 WholePair ServoArm::rest_lanes(std::size_t pair, bool loads_move) const {
   if (loads_move) return WholePair{};
-  const WholePair currents = (state_.torque.pair(pair) != both(0.0)) | (state_.lag.pair(pair) != both(0.0));
+  const WholePair currents = (state_.torque.pair(pair) != both(0.0)) | (state_.lag.pair(pair) != both(0.0)) |
+                             (state_.heat.pair(pair) != both(0.0));
   const auto waits = [&](std::size_t axis) { return state_.brake_in[axis] != 0 ? std::int64_t{-1} : 0; };
   const WholePair brakes_wait{waits(2 * pair), waits(2 * pair + 1)};
   return ~(currents | brakes_wait);

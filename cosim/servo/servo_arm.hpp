@@ -8,6 +8,7 @@
 // Motor: inertia, viscous and Coulomb friction, a dynamic brake (shorted windings, a viscous torque) while the servo is
 // off, a holding brake with delays, which slips above its torque. Friction is an impulse: in a step it takes at most
 // friction x step from the momentum, and never turns the speed. So the motor really stops, and stays.
+// Overload alarm: see ServoNumbers. A drive that is hot does not rest: it cools down.
 // Gear: backlash, then a spring with a damper. The load side follows from the rigid bodies of the arm.
 //
 // Step: speeds first, then positions with the new speeds (semi-implicit Euler). It keeps the energy of an oscillation
@@ -57,6 +58,8 @@ class ServoArm {
   [[nodiscard]] double twist_rad(std::size_t axis) const { return state_.twist[axis]; }
   [[nodiscard]] double load_speed(std::size_t axis) const { return state_.load_speed[axis]; }  // [rad/s]
   [[nodiscard]] double motor_torque(std::size_t axis) const { return state_.torque[axis]; }    // [N m] at the joint
+  // Drives whose overload alarm has tripped since they control their motors, one bit each.
+  [[nodiscard]] std::uint8_t overloaded() const { return state_.overloaded; }
   [[nodiscard]] bool brake_engaged(std::size_t axis) const { return state_.braking[axis] != 0.0; }
 
  private:
@@ -72,6 +75,8 @@ class ServoArm {
     AxisNumbers torque;                // of the motor [N m]
     AxisNumbers speed, load_speed;     // [rad/s]
     AxisNumbers twist;                 // [rad]
+    AxisNumbers heat;                  // of the drives, 1 is the overload
+    std::uint8_t overloaded = 0;
     LoadSide::State load;
   };
 
@@ -84,11 +89,13 @@ class ServoArm {
   [[nodiscard]] Pair gear_torque(std::size_t pair) const;
   void turn_motor(std::size_t pair, WholePair controlled, Pair load);
   bool turn_loads(const std::array<Pair, kAxisPairs>& gears);
+  void warm_drives(std::uint8_t controlled);
   [[nodiscard]] WholePair rest_lanes(std::size_t pair, bool loads_move) const;
 
   ServoNumbers numbers_;
   LoadSide arm_;
   int renewal_;
+  bool has_overload_alarm_;
   std::uint8_t blocked_ = 0;  // one bit per axis
   PerAxis<double> brake_share_{1, 1, 1, 1, 1, 1};
   State state_, kept_;

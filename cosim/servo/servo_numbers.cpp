@@ -31,6 +31,18 @@ std::int32_t whole_steps(double ms, double step_s) {
   return static_cast<std::int32_t>(std::lround(ms * 1e-3 / step_s));
 }
 
+// The heat of a drive rises by (x^2 - k) / H in a second, with x times the rated torque. From (4 - k) t2 = (9 - k) t3 =
+// H it trips after both times of the robot file, and never below sqrt(k) times the rated torque.
+void set_overload(ServoNumbers& numbers, std::size_t i, const DynamicsSpec& spec, double ratio) {
+  if (spec.rated_torque_nm == 0) return;
+  const double t2 = spec.overload_200_s, t3 = spec.overload_300_s;
+  if (!(spec.rated_torque_nm > 0 && t3 > 0 && t2 > t3)) throw std::invalid_argument{"servo: overload times"};
+  const double never = (4.0 * t2 - 9.0 * t3) / (t2 - t3), heat_s = (9.0 - never) * t3;
+  const double rated = spec.rated_torque_nm * ratio;
+  numbers.heating[i] = numbers.step_s / (heat_s * rated * rated);
+  numbers.cooling[i] = numbers.step_s * never / heat_s;
+}
+
 void set_axis(ServoNumbers& numbers, std::size_t i, const AxisSpec& axis) {
   const DriveSpec& drive = axis.drive;
   if (!axis.dynamics) throw std::invalid_argument{"servo: the motor and the gear are not known"};
@@ -69,6 +81,8 @@ void set_axis(ServoNumbers& numbers, std::size_t i, const AxisSpec& axis) {
   numbers.damping[i] = spec.gear_damping_nm_s;
   numbers.bearing[i] = spec.joint_viscous_nm_s;
 
+  set_overload(numbers, i, spec, ratio);
+
   // The rotor alone, within the backlash, has the least inertia.
   if (numbers.torque_per_speed[i] * numbers.speed_per_torque[i] > kMaxSpeedLoopPerStep) {
     throw std::invalid_argument{"servo: the speed loop is too fast for the integration step"};
@@ -76,6 +90,13 @@ void set_axis(ServoNumbers& numbers, std::size_t i, const AxisSpec& axis) {
 }
 
 }  // namespace
+
+bool ServoNumbers::has_overload_alarm() const {
+  for (std::size_t i = 0; i < kAxes; ++i) {
+    if (heating[i] != 0.0) return true;
+  }
+  return false;
+}
 
 ServoNumbers servo_numbers(const PerAxis<AxisSpec>& axes, double step_s) {
   ServoNumbers numbers;

@@ -168,6 +168,17 @@ std::optional<Failure> check_speed_loop(const AxisSpec& axis) {
                      number_text(axis.drive.inertia_kg_m2) + ": the speed loop would be too fast for steps of 5 us"};
 }
 
+// At rated torque the heat must not rise.
+std::optional<Failure> check_overload(const AxisSpec& axis) {
+  if (!axis.dynamics) return std::nullopt;
+  const double rated = axis.dynamics->rated_torque_nm, of_200 = axis.dynamics->overload_200_s;
+  const double found = axis.dynamics->overload_300_s, most = 0.375 * of_200;
+  if (rated == 0 && of_200 == 0 && found == 0) return std::nullopt;
+  if (rated > 0 && found > 0 && found <= most * (1 + kRounding)) return std::nullopt;
+  return Failure{found - most, "expected above 0 and at most 3/8 of overload_200_s = " + number_text(of_200) +
+                                   ", with a rated_torque_nm, found " + number_text(found)};
+}
+
 const std::vector<Check>& checks() {
   static const std::vector<Check> kChecks{
       {{"min_deg", "max_deg"}, check_limits},
@@ -183,6 +194,7 @@ const std::vector<Check>& checks() {
       {{"encoder_accel_limit_deg_s2", "max_accel_deg_s2"}, check_encoder_accel},
       {{"dynamics.stiffness_nm_rad", "dynamics.rotor_inertia_kg_m2", "gear_ratio"}, check_stiffness},
       {{"drive.inertia_kg_m2", "dynamics.rotor_inertia_kg_m2", "drive.natural_hz", "drive.damping"}, check_speed_loop},
+      {{"dynamics.overload_300_s", "dynamics.overload_200_s", "dynamics.rated_torque_nm"}, check_overload},
   };
   return kChecks;
 }

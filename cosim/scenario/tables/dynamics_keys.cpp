@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kMaxInertia = 1000;
 constexpr double kMaxMs = 10'000;
+constexpr double kMaxOverloadS = 10'000;
 
 // The moments of a body about three axes: none is larger than the sum of the others, and each is above 0. Products of
 // inertia must leave the tensor positive.
@@ -65,6 +66,16 @@ const KeyTable<DynamicsSpec>& dynamics_keys() {
               "Whole play of the gear, at the joint."),
           key("joint_viscous_nm_s", &DynamicsSpec::joint_viscous_nm_s, between(0, 1e6, "N m s"),
               "Viscous friction of the joint, behind the gear."),
+          key("rated_torque_nm", &DynamicsSpec::rated_torque_nm, between(0, kMaxMotorNm, "N m"),
+              "Torque that the motor may have for good. With a number above 0 the drive has an overload alarm: its "
+              "heat "
+              "rises with the square of the torque, and falls below the rated torque. The alarm is that of the pin "
+              "`drive_alarm`. 0: no such alarm."),
+          key("overload_200_s", &DynamicsSpec::overload_200_s, between(0, kMaxOverloadS, "s"),
+              "Time until the overload alarm with twice the rated torque, from cold."),
+          key("overload_300_s", &DynamicsSpec::overload_300_s, between(0, kMaxOverloadS, "s"),
+              "The same with three times this torque, at most 3/8 of `overload_200_s`. The two times say which torque "
+              "never trips the alarm: less than 3/8 gives one above the rated torque."),
       }};
   return kTable;
 }

@@ -17,10 +17,21 @@ RobotSpec dynamic_robot() {
   return load_robot(std::filesystem::path{ARMATURE_SOURCE_DIR} / "scenarios/robots/vo2021_6r_dynamic.toml");
 }
 
+// Its drives have so weak motors that the weight of the arm overheats them.
+RobotSpec hot_robot() {
+  RobotSpec robot = dynamic_robot();
+  for (AxisSpec& axis : robot.axes) {
+    axis.dynamics->rated_torque_nm = 0.1;
+    axis.dynamics->overload_200_s = 1.3;
+    axis.dynamics->overload_300_s = 0.45;
+  }
+  return robot;
+}
+
 // The servos are on, and the arm holds its weight.
 class HoldingPlant {
  public:
-  HoldingPlant() : plant{dynamic_robot()} {
+  explicit HoldingPlant(const RobotSpec& robot = dynamic_robot()) : plant{robot} {
     SocOutputs out;
     out.servo_on = kAllAxes;
     plant.on_outputs(Cycles{0}, out);
@@ -78,6 +89,32 @@ TEST(DynamicPlant, AMotorThatIsBlockedDoesNotTurnWhenTheServosGoOff) {
   }
   EXPECT_NE(free.plant.motor_counts(1), before);
   EXPECT_EQ(blocked.plant.motor_counts(1), before);
+}
+
+TEST(DynamicPlant, AHotDriveGivesAnAlarmUntilItsServoIsOff) {
+  HoldingPlant holding{hot_robot()};
+  EXPECT_EQ(holding.plant.inputs().drive_alarm, 0);
+  holding.advance_before(Cycles{50'000'000});
+  const std::uint8_t alarms = holding.plant.inputs().drive_alarm;
+  EXPECT_EQ(alarms & 0b10, 0b10);  // axis 2 holds the most
+  EXPECT_EQ(alarms & 0b01, 0);     // axis 1 holds nothing
+  holding.plant.on_outputs(Cycles{50'000'000}, SocOutputs{});
+  holding.advance_before(Cycles{50'002'500});
+  EXPECT_EQ(holding.plant.inputs().drive_alarm, 0);
+}
+
+TEST(DynamicPlant, ATickInWhichADriveGetsTooHotIsNoWholeTick) {
+  HoldingPlant steps{hot_robot()}, ticks{hot_robot()};
+  for (int i = 0;; ++i) {
+    ASSERT_LT(i, 20'000);
+    TickPulses tick;
+    tick.begins = Cycles{12'500'001} + Cycles{kDynamicTick.value() * i};
+    tick.ends = tick.begins + kDynamicTick;
+    steps.advance_before(tick.ends);
+    const bool is_whole = ticks.plant.begin_tick(tick, Cycles{30});
+    ASSERT_EQ(is_whole, steps.plant.inputs().drive_alarm == 0) << i;
+    if (!is_whole) break;
+  }
 }
 
 }  // namespace

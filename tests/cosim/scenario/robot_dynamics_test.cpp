@@ -111,6 +111,17 @@ TEST(RobotDynamics, RefusesWhatTheStepsOfThePlantCannotHold) {
       ElementsAre(HasSubstr("defaults.drive.inertia_kg_m2: expected at most 0.01989")));
 }
 
+TEST(RobotDynamics, RefusesAnOverloadAlarmThatRatedTorqueTripsOrThatLacksANumber) {
+  const auto problems = [](const std::string& keys) {
+    return problems_with_plant("dynamic", kArmOfBodies + kMotorAndGear + keys + kMovedAxes + bodies_of_links(5));
+  };
+  EXPECT_THAT(problems("rated_torque_nm = 1\noverload_200_s = 8\noverload_300_s = 3\n"), IsEmpty());
+  EXPECT_THAT(problems("rated_torque_nm = 1\noverload_200_s = 8\noverload_300_s = 3.01\n"),
+              ElementsAre(HasSubstr("overload_300_s: expected above 0 and at most 3/8 of overload_200_s = 8")));
+  EXPECT_THAT(problems("rated_torque_nm = 1\n"), ElementsAre(HasSubstr("with a rated_torque_nm, found 0")));
+  EXPECT_THAT(problems("overload_200_s = 8\noverload_300_s = 3\n"), ElementsAre(HasSubstr("with a rated_torque_nm")));
+}
+
 TEST(RobotDynamics, RefusesInertiasThatNoBodyHas) {
   const auto problem = [](const std::string& inertia) {
     const std::string payload = "[payload]\nmass_kg = 1\ncentre_mm = [0, 0, 0]\ninertia_kg_m2 = " + inertia + "\n";
