@@ -234,6 +234,14 @@ struct UartNoise {
   friend bool operator==(const UartNoise&, const UartNoise&) = default;
 };
 
+// Core 1 does not see the interrupt of axi_uart16550 for this time. It reads the receiver only when something else
+// wakes it: the FIFO runs over.
+struct UartOverrun {
+  double duration_s = 0;  // a cycle of the clock or longer
+
+  friend bool operator==(const UartOverrun&, const UartOverrun&) = default;
+};
+
 // A kind whose fault ends after a time.
 template <class Kind>
 concept FaultWithDuration = requires(const Kind& fault) {
@@ -244,7 +252,7 @@ concept FaultWithDuration = requires(const Kind& fault) {
 using FaultKind = std::variant<PulseLoss, SlowCore, Estop, ClockStop, StrayWrite, BlockHang, ExtraPulses, DriveAlarm,
                                AxisBlocked, EncoderStuck, EncoderCable, EncoderSwapped, EncoderChatter, EncoderNoise,
                                EncoderMiscount, IndexSlip, SwitchStuck, SwitchBounce, InterruptLost, CoreOneStuck,
-                               SlaveError, SlowSlave, RegisterFlip, BrakeSlip, UartBreak, UartNoise>;
+                               SlaveError, SlowSlave, RegisterFlip, BrakeSlip, UartBreak, UartNoise, UartOverrun>;
 
 // What a fault waits for, from its time on.
 enum class FaultWhen : std::uint8_t {

@@ -36,8 +36,9 @@ void FaultInjector::apply_to(SocInputs& pins) const {
 }
 
 std::uint8_t FaultInjector::seen_interrupts(std::uint8_t levels) const {
-  constexpr unsigned kTimer = 1u << regs::soc::kAxiTimerIrq;
-  return interrupts_lost_ > 0 ? static_cast<std::uint8_t>(levels & ~kTimer) : levels;
+  constexpr unsigned kTimer = 1u << regs::soc::kAxiTimerIrq, kUart = 1u << regs::soc::kAxiUart16550Irq;
+  const unsigned hidden = (interrupts_lost_ > 0 ? kTimer : 0u) | (uart_unheard_ > 0 ? kUart : 0u);
+  return static_cast<std::uint8_t>(levels & ~hidden);
 }
 
 Cycles FaultInjector::response_delay() const {
@@ -115,6 +116,13 @@ void FaultInjector::start(const InterruptLost&) {
 }
 void FaultInjector::stop(const InterruptLost&) {
   --interrupts_lost_;
+}
+
+void FaultInjector::start(const UartOverrun&) {
+  ++uart_unheard_;
+}
+void FaultInjector::stop(const UartOverrun&) {
+  --uart_unheard_;
 }
 
 void FaultInjector::start(const CoreOneStuck&) {

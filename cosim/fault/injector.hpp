@@ -45,7 +45,7 @@ class FaultInjector {
   // Whether no fault holds a pin, a motor or a response, or stops a clock.
   [[nodiscard]] bool is_quiet() const {
     return estops_ == 0 && clock_stops_ == 0 && !blocks_hang_ && lines_.is_quiet() && blocked_ == 0 &&
-           interrupts_lost_ == 0 && slow_.empty() && errors_.empty();
+           interrupts_lost_ == 0 && uart_unheard_ == 0 && slow_.empty() && errors_.empty();
   }
 
   // The axes whose encoder has had a fault, one bit each: POSITION need not follow the motor any more.
@@ -83,6 +83,8 @@ class FaultInjector {
   void stop(const BrakeSlip& fault);
   void start(const InterruptLost& fault);
   void stop(const InterruptLost& fault);
+  void start(const UartOverrun& fault);
+  void stop(const UartOverrun& fault);
   void start(const CoreOneStuck& fault);
   void start(const SlaveError& fault);
   void start(const SlowSlave& fault);
@@ -105,6 +107,7 @@ class FaultInjector {
   bool blocks_hang_ = false;
   int blocked_ = 0;                 // faults that hold a motor
   int interrupts_lost_ = 0;         // faults that hide the interrupt of axi_timer
+  int uart_unheard_ = 0;            // faults that hide the interrupt of axi_uart16550
   std::vector<Cycles> slow_;        // delays of responses
   std::vector<SlaveError> errors_;  // with the accesses that are left
   bool bus_errs_ = false;

@@ -105,6 +105,20 @@ template <>
 }
 
 template <>
+[[nodiscard]] inline const FaultEntry<UartOverrun>& fault_entry<UartOverrun>() {
+  static const FaultEntry<UartOverrun> kEntry{
+      .name = "uart_overrun",
+      .text =
+          "core 1 does not see the interrupt of axi_uart16550. It reads the receiver only when something else wakes "
+          "it, "
+          "so the FIFO of 16 characters runs over",
+      .keys = {duration_key<UartOverrun>()},
+      .details = duration_details<UartOverrun>,
+  };
+  return kEntry;
+}
+
+template <>
 [[nodiscard]] inline const FaultEntry<CoreOneStuck>& fault_entry<CoreOneStuck>() {
   static const FaultEntry<CoreOneStuck> kEntry{
       .name = "core1_stuck",

@@ -99,6 +99,7 @@ const std::vector<Case> kCases{
      .robot = "vo2021_6r_dynamic"},
     {.fault = R"(kind = "uart_break", duration_s = 0.01)", .why = kNoSerial},
     {.fault = R"(kind = "uart_noise", width_us = 5, mean_gap_us = 50, duration_s = 1)", .why = kNoSerial},
+    {.fault = R"(kind = "uart_overrun", duration_s = 0.1)", .why = kNoSerial},
 };
 constexpr double kResetAt = 0.62;
 constexpr std::array kTimes{0.2001, 0.22619, 0.26003};

@@ -202,6 +202,16 @@ TEST(FaultInjector, HidesTheInterruptOfTheTimerAndNoOtherUntilItsEnd) {
   EXPECT_TRUE(bench.injector.is_quiet());
 }
 
+TEST(FaultInjector, HidesTheInterruptOfTheSerialLineAndNoOtherUntilItsEnd) {
+  Bench bench;
+  bench.injector.begin(UartOverrun{.duration_s = 0.1}, kNow);
+  EXPECT_EQ(bench.injector.seen_interrupts(0xFF), 0xFF & ~(1u << regs::soc::kAxiUart16550Irq));
+  EXPECT_FALSE(bench.injector.is_quiet());
+  bench.injector.end(UartOverrun{.duration_s = 0.1}, Cycles{});
+  EXPECT_EQ(bench.injector.seen_interrupts(0xFF), 0xFF);
+  EXPECT_TRUE(bench.injector.is_quiet());
+}
+
 TEST(FaultInjector, AnswersSomeAccessesWithAnError) {
   Bench bench;
   bench.injector.begin(SlaveError{.address = 0x4280'0000, .count = 2}, kNow);

@@ -248,7 +248,8 @@ FaultKind random_kind(SplitMix& random) {
       RegisterFlip{.address = 0x43C1'0014, .bit = static_cast<int>(random.below(32))},
       BrakeSlip{.axis = axis, .share = 0.5, .duration_s = duration_s},
       UartBreak{.duration_s = duration_s},
-      UartNoise{.width_us = us, .mean_gap_us = 10 * us, .duration_s = duration_s}};
+      UartNoise{.width_us = us, .mean_gap_us = 10 * us, .duration_s = duration_s},
+      UartOverrun{.duration_s = duration_s}};
   EXPECT_EQ(kinds.size(), std::variant_size_v<FaultKind>) << "a kind is not drawn";
   return kinds[random.below(static_cast<std::uint32_t>(kinds.size()))];
 }

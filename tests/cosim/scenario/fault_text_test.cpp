@@ -36,6 +36,7 @@ TEST(FaultText, SaysInWordsWhatTheScenarioSaysInKeys) {
       fault_text({.kind = SwitchBounce{.axis = 2, .which = AxisSwitch::kLimitPos, .period_us = 50, .duration_s = 0.5}}),
       "switch_bounce of axis 2, limit_pos, 50 us for 0.5 s");
   EXPECT_EQ(fault_text({.kind = CoreOneStuck{}}), "core1_stuck");
+  EXPECT_EQ(fault_text({.kind = UartOverrun{.duration_s = 0.5}}), "uart_overrun for 0.5 s");
   EXPECT_EQ(fault_text({.kind = RegisterFlip{.address = 0x4280'0000, .bit = 7}}),
             "register_flip of bit 7 at 0x42800000");
 }

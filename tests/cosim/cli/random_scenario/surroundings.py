@@ -91,6 +91,7 @@ LATER_FAULTS = {
         "address": lambda draft: draft.rng.choice([0x43C1_0014, 0x43C2_0008]),
         "bit": lambda draft: draft.integer(0, 31),
     },
+    "uart_overrun": {"duration_s": duration_of},
 }
 
 
