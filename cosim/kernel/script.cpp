@@ -75,6 +75,25 @@ void Script::add(const InputSpec& input) {
   insert(Entry{to_cycles(input.at_s), input});
 }
 
+void Script::add(const CommandSpec& command) {
+  forget_past();
+  insert(Entry{to_cycles(command.at_s), command});
+}
+
+void Script::add(Cycles at, const StreamStep& step) {
+  forget_past();
+  insert(Entry{at, step});
+}
+
+// A program that sends commands for hours needs no memory for those that are given. The last one stays, for
+// last_event().
+void Script::forget_past() {
+  constexpr std::size_t kKept = 1'000;
+  if (next_ < kKept) return;
+  entries_.erase(entries_.begin(), entries_.begin() + static_cast<std::ptrdiff_t>(next_ - 1));
+  next_ = 1;
+}
+
 void Script::end(const FaultSpec& fault, Cycles now) {
   const auto is_its_end = [&fault](const Entry& entry) {
     const auto* end = std::get_if<FaultEnd>(&entry.action);

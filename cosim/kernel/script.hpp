@@ -20,6 +20,7 @@ struct FaultEnd {
 struct StreamStep {
   std::size_t stream = 0;  // index in Scenario::streams
   std::size_t point = 0;
+  bool more = false;  // the stream goes on behind its points, which are those so far
 };
 
 // A part passes the sync point of the conveyor.
@@ -47,6 +48,8 @@ class Script {
   // pop_due(). At an equal time it comes after those of the same sort.
   void add(const FaultSpec& fault);
   void add(const InputSpec& input);
+  void add(const CommandSpec& command);
+  void add(Cycles at, const StreamStep& step);
   // Ends a fault that has begun at `now`, or a cycle after its begin if that is later.
   void end(const FaultSpec& fault, Cycles now);
 
@@ -56,6 +59,7 @@ class Script {
     ScriptAction action;
   };
   void insert(const Entry& entry);
+  void forget_past();
 
   std::vector<Entry> entries_;
   std::size_t next_ = 0;

@@ -91,6 +91,8 @@ class Simulation final : private RunAhead {
   void add(const Action& action) {
     script_.add(action);
   }
+  // A set-point of a stream of the scenario, which the caller may have added meanwhile.
+  void add(const StreamStep& step) { script_.add(now(), step); }
   // Ends such a fault, or one of the scenario, before its time.
   void end_fault(const FaultSpec& fault) { script_.end(fault, now()); }
   // Ends a run that is not over.

@@ -13,9 +13,10 @@ void Simulation::act(const ScriptAction& action) {
   std::visit(Overloaded{
                  [this](const CommandSpec& move) { give(move); },
                  [this](const StreamStep& step) {
-                   const StreamSpec& stream = scenario_.streams[step.stream];
+                   Command point = to_command(scenario_.streams[step.stream], step.point);
+                   if (step.more) std::get<StreamPoint>(point).last = false;
                    // The controller then misses the set-point and stops.
-                   if (host_.submit(Source::kScenario, to_command(stream, step.point))) processor_->notify(now());
+                   if (host_.submit(Source::kScenario, point)) processor_->notify(now());
                    read_host_memory();
                  },
                  [this](const PartStep&) {

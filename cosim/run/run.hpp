@@ -58,6 +58,8 @@ class Run final : private SimulationListener {
   [[nodiscard]] BusResponse read_and_spoil(std::uint32_t address) { return simulation_.read_and_spoil(address); }
   void add_action(const FaultSpec& fault) { simulation_.add(fault); }
   void add_action(const InputSpec& input) { simulation_.add(input); }
+  void add_action(const CommandSpec& command) { simulation_.add(command); }
+  void add_action(const StreamStep& step) { simulation_.add(step); }
   void end_fault(const FaultSpec& fault) { simulation_.end_fault(fault); }
   void write_wave(WaveRequest wave) { simulation_.write_wave(std::move(wave)); }
   void close_wave() { simulation_.close_wave(); }
