@@ -113,7 +113,8 @@ struct ExpectSpec {
   std::optional<double> max_stream_deviation_deg;         // commanded joints from the streams, any axis
   std::optional<std::vector<std::string>> conveyor_ends;  // why each following of a part ended (PartEnd)
   std::optional<std::int64_t> missed_parts;
-  std::optional<std::int64_t> min_corrected_ticks, max_uncorrected_ticks;  // of [conveyor.policy]
+  std::optional<std::int64_t> min_corrected_ticks, max_corrected_ticks;      // of [conveyor.policy]
+  std::optional<std::int64_t> min_uncorrected_ticks, max_uncorrected_ticks;  // likewise
   std::optional<std::int64_t> min_solved_poses;         // set-points whose joint angles the logic has solved
   std::optional<double> max_solver_difference_pulses;   // their largest difference from software, any axis
   std::optional<double> max_tracking_error_mm;          // encoder side: tool from its path on the part

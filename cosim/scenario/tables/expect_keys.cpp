@@ -215,6 +215,10 @@ const KeyTable<ExpectSpec>& expect_keys() {
               key("min_corrected_ticks", &ExpectSpec::min_corrected_ticks, count(),
                   "Least number of ticks in which the network of `[conveyor.policy]` corrected where the belt is "
                   "expected. A tick counts from the time on at which the arm waits for a part."),
+              key("max_corrected_ticks", &ExpectSpec::max_corrected_ticks, count(),
+                  "Largest allowed number of such ticks: 0 says that the network never had an effect."),
+              key("min_uncorrected_ticks", &ExpectSpec::min_uncorrected_ticks, count(),
+                  "Least number of ticks without a correction, see `max_uncorrected_ticks`."),
               key("max_uncorrected_ticks", &ExpectSpec::max_uncorrected_ticks, count(),
                   "Largest allowed number of such ticks without a correction: the belt was outside the ranges of "
                   "training, the network was not the one of its checksum, or the logic was late."),

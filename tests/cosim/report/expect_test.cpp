@@ -99,6 +99,8 @@ ExpectSpec all_of_it() {
   expect.min_stretch = 4;
   expect.max_stretch = 4;
   expect.min_corrected_ticks = 50;
+  expect.max_corrected_ticks = 50;
+  expect.min_uncorrected_ticks = 4;
   expect.max_uncorrected_ticks = 4;
   expect.min_solved_poses = 100;
   expect.max_solver_difference_pulses = 0.5;
@@ -201,6 +203,8 @@ TEST(Expect, EachKeyFailsForItselfAndSaysWhatItGot) {
       {[](RunFacts& f) { f.moves[1].stretch = 3.99; }, "expect.min_stretch: expected at least 4, got 3.99"},
       {[](RunFacts& f) { f.moves[1].stretch = 4.01; }, "expect.max_stretch: expected at most 4, got 4.01"},
       {[](RunFacts& f) { f.corrected_ticks = 49; }, "expect.min_corrected_ticks: expected at least 50, got 49"},
+      {[](RunFacts& f) { f.corrected_ticks = 51; }, "expect.max_corrected_ticks: expected at most 50, got 51"},
+      {[](RunFacts& f) { f.uncorrected_ticks = 3; }, "expect.min_uncorrected_ticks: expected at least 4, got 3"},
       {[](RunFacts& f) { f.uncorrected_ticks = 5; }, "expect.max_uncorrected_ticks: expected at most 4, got 5"},
       {[](RunFacts& f) { f.solved_poses = 99; }, "expect.min_solved_poses: expected at least 100, got 99"},
       {[](RunFacts& f) { f.solver_difference_pulses = 0.51; },

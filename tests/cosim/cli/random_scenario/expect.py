@@ -89,6 +89,8 @@ def put_expect(draft):
     with draft.aside():
         draft.maybe("min_corrected_ticks", draft.count, few)
         draft.maybe("max_uncorrected_ticks", draft.count, few)
+        draft.maybe("max_corrected_ticks", draft.count, few)
+        draft.maybe("min_uncorrected_ticks", draft.count, few)
     for at_s in sorted(draft.at() for _ in range(rng.choice([0, 0, 2]))):
         draft.table("expect.output", "[[expect.output]]")
         draft.put("at_s", at_s)
