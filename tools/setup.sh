@@ -1,4 +1,4 @@
-# Sourced by tools/run, tools/test, tools/iss and tools/bench: installs missing packages, configures and builds a preset.
+# Sourced by tools/run, test, iss, python and bench: installs missing packages, configures and builds a preset.
 # It prints nothing when there is nothing to do. When a step fails, it prints the log.
 
 root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"

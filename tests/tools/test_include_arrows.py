@@ -144,7 +144,11 @@ COSIM = {
 }
 COSIM["rewind"] = COSIM["run"] | {"run", "logic", "snapshot"}
 COSIM["live"] = COSIM["run"] | {"run", "robot", "programs", "poses", "logic", "fault", "pendant", "page", "snapshot"}
+COSIM["steer"] = COSIM["run"] | {"run"}
+COSIM["python"] = COSIM["steer"] | {"steer"}
 COSIM["cli"] = COSIM.keys() - {
+    "steer",
+    "python",
     "keydoc",
     "kernel",
     "bus",
