@@ -124,6 +124,7 @@ void SteeredRun::begin_stream(const SetPoint& first) {
                                .file_name = "set-points from outside",
                                .delay_ms = first.delay_ms,
                                .kind = first.kind,
+                               .points = {},
                                .index = scenario_.streams.size()});
   stream_begin_ = now();
 }
