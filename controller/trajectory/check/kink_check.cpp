@@ -98,23 +98,28 @@ int KinkCheck::sample_around(const CartesianPlan& plan, std::int64_t kink, const
   int inverses = 0;
   static_assert((kBefore + kAfter) * kParts + 1 == kPoints);
   std::array<JointAngles, kPoints> path;
+  std::array<ToolSample, kPoints> tool;
   const JointAngles* previous = &joints;
   for (std::size_t j = 0; j < path.size(); ++j) {
     const double tick = static_cast<double>(kink - kBefore) + static_cast<double>(j) / kParts;
     const double end = static_cast<double>(plan.duration.value());
+    tool[j] = tool_sample(plan, std::clamp(tick, 0.0, end) * kTickSeconds);
     if (tick <= 0.0) {
       path[j] = plan.start;
     } else {
       const FollowedTool followed = follow_tool(plan, arm_, std::min(tick, end) * kTickSeconds, *previous);
       inverses += followed.inverses;
       path[j] = followed.tracking.found ? followed.tracking.joints : *previous;
+      if (followed.on_bend) tool[j].rotation = held_tool_pose(plan, arm_, path[j]).rotation;
     }
     previous = &path[j];
     constexpr auto kTick = static_cast<std::size_t>(kParts);
-    // Set-points at whole ticks are checked by PathCheck::add().
+    // Set-points at whole ticks are checked by PathCheck::add(), the tool half-way between them as well.
     if (j >= 3 * kTick && j % kTick != 0) {
       check.add_between(plan, tick, {path[j], path[j - kTick], path[j - 2 * kTick], path[j - 3 * kTick]});
     }
+    if (j >= 2 * kTick && j % 2 != 0)
+      check.add_tool_between(plan, tick, {tool[j], tool[j - kTick], tool[j - 2 * kTick]});
   }
   return inverses;
 }

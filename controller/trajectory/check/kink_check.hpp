@@ -4,7 +4,7 @@
 // accelerations (of trapezoids) or jerks (of S-curves) change smoothly. At a kink it does. A change that lasts for less
 // than a tick, for example where one segment brakes before the next one begins, is only partly contained in differences
 // over ticks, depending on the position of the ticks. So around each kink the differences are taken at every quarter of
-// a tick.
+// a tick, those of the joints and the acceleration of the tool.
 //
 // A law has many points. Those count as kinks from which on its acceleration changes, within a tick, by more than
 // kLeastKink of the largest one around: many small steps in a tick are as much as one, and the acceleration along one

@@ -108,23 +108,38 @@ void PathCheck::add(const CartesianPlan& plan, const JointAngles& joints, const 
 
 void PathCheck::add_between(const CartesianPlan& plan, double tick, const std::array<JointAngles, 4>& joints) noexcept {
   for (std::size_t order = 2; order <= kOrders; ++order) {
-    const double since = tick - static_cast<double>(order);
-    Range around{plan.count, 0};
-    for (std::size_t i = 0; i < plan.count; ++i) {
-      const CartesianSegment& segment = plan.segments[i];
-      const auto start = static_cast<double>(segment.start.value());
-      const auto end = static_cast<double>(end_of(segment).value());
-      if (empty(segment) || start >= tick || end <= since) continue;
-      around = {std::min(around.first, i), i};
-    }
-    if (around.first == plan.count) continue;  // all at rest
+    const std::optional<Range> around = segments_between(plan, order, tick);
+    if (!around) continue;
     PerAxis<double> difference{};
     for (std::size_t axis = 0; axis < axis_count_; ++axis) {
       const auto q = [&](std::size_t back) { return joints[back][axis].value(); };
       difference[axis] = order == 2 ? q(0) - 2.0 * q(1) + q(2) : q(0) - 3.0 * (q(1) - q(2)) - q(3);
     }
-    check_joints(plan, order, around, difference, tick);
+    check_joints(plan, order, *around, difference, tick);
   }
+}
+
+void PathCheck::add_tool_between(const CartesianPlan& plan, double tick,
+                                 const std::array<ToolSample, 3>& tool) noexcept {
+  const std::optional<Range> around = segments_between(plan, 2, tick);
+  if (!around) return;
+  Excess here;
+  check_tool(here, largest_limits(plan, *around), tool);
+  note(here, tick - 2.0, tick);
+}
+
+std::optional<PathCheck::Range> PathCheck::segments_between(const CartesianPlan& plan, std::size_t order,
+                                                            double tick) noexcept {
+  const double since = tick - static_cast<double>(order);
+  std::optional<Range> around;
+  for (std::size_t i = 0; i < plan.count; ++i) {
+    const CartesianSegment& segment = plan.segments[i];
+    const auto start = static_cast<double>(segment.start.value());
+    const auto end = static_cast<double>(end_of(segment).value());
+    if (empty(segment) || start >= tick || end <= since) continue;
+    around = Range{.first = around ? around->first : i, .last = i};
+  }
+  return around;
 }
 
 void PathCheck::finish(const CartesianPlan& plan) noexcept {
@@ -218,7 +233,7 @@ void PathCheck::note(const Excess& excess, double from_tick, double to_tick) noe
   latest_.to_tick = to_tick;
 }
 
-void PathCheck::check_tool(Excess& worst, const PathLimits& limits, const ToolSamples& tool) const noexcept {
+void PathCheck::check_tool(Excess& worst, const PathLimits& limits, std::span<const ToolSample> tool) noexcept {
   const auto check = [&](double size, double most, std::size_t order) {
     const double tolerance = order == 1 ? kSpeedTolerance : kToolTolerance, rounding = order == 1 ? kRounding : 0.0;
     const double limit = (1.0 + tolerance) * most * power(kTickSeconds, order) + rounding;
@@ -234,7 +249,10 @@ void PathCheck::check_tool(Excess& worst, const PathLimits& limits, const ToolSa
 }
 
 PathLimits PathCheck::limits_around(const CartesianPlan& plan, std::size_t order) const noexcept {
-  const Range around = segments_around(plan, order);
+  return largest_limits(plan, segments_around(plan, order));
+}
+
+PathLimits PathCheck::largest_limits(const CartesianPlan& plan, const Range& around) noexcept {
   PathLimits limits = plan.segments[around.first].limits;
   for (std::size_t i = around.first + 1; i <= around.last; ++i) limits = larger(limits, plan.segments[i].limits);
   return limits;

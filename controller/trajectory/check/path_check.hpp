@@ -12,7 +12,8 @@
 // times those at any other position of the ticks, and their jerks 3.1 times. So at ticks they may use half and 0.3 of
 // the limits.
 //
-// The tool itself is checked as well, at every tick and half-way between ticks. Its rotation is limited_turn().
+// The tool itself is checked as well, at every tick and half-way between ticks, its acceleration at kinks of time laws
+// at every quarter of a tick. Its rotation is limited_turn().
 //
 // The check finds where along the path the motion must be slower (take_latest()).
 #pragma once
@@ -20,6 +21,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <span>
 
 #include "controller/base/axes.hpp"
 #include "controller/base/units.hpp"
@@ -55,6 +58,8 @@ class PathCheck {
   void add_tool_between(const CartesianPlan& plan, const ToolSample& tool) noexcept;
   // Four set-points between ticks, one tick apart, the newest first; the newest is at `tick`.
   void add_between(const CartesianPlan& plan, double tick, const std::array<JointAngles, 4>& joints) noexcept;
+  // The same for the tool, whose acceleration is checked: three samples one tick apart, the newest first.
+  void add_tool_between(const CartesianPlan& plan, double tick, const std::array<ToolSample, 3>& tool) noexcept;
   // Call after the last set-point: the arm rests.
   void finish(const CartesianPlan& plan) noexcept;
 
@@ -89,13 +94,17 @@ class PathCheck {
     std::size_t last = 0;
   };
   [[nodiscard]] Range segments_around(const CartesianPlan& plan, std::size_t order) const noexcept;
+  // Those between ticks in the last `order` ticks before `tick`; nothing if all are at rest.
+  [[nodiscard]] static std::optional<Range> segments_between(const CartesianPlan& plan, std::size_t order,
+                                                             double tick) noexcept;
   void check_joints(const CartesianPlan& plan, std::size_t order, const Range& around,
                     const PerAxis<double>& difference, double tick) noexcept;
   void check_wrist(const CartesianPlan& plan, bool through_wrist) noexcept;
   void check_turning_points(const CartesianPlan& plan) noexcept;
-  void check_tool(Excess& worst, const PathLimits& limits, const ToolSamples& tool) const noexcept;
+  static void check_tool(Excess& worst, const PathLimits& limits, std::span<const ToolSample> tool) noexcept;
   // The jerk, if all segments of the last `ticks` are S-curves. No sample may be older.
   void check_tool_jerk(Excess& worst, const CartesianPlan& plan, std::size_t ticks, const ToolSamples& tool) noexcept;
+  [[nodiscard]] static PathLimits largest_limits(const CartesianPlan& plan, const Range& around) noexcept;
   [[nodiscard]] PathLimits limits_around(const CartesianPlan& plan, std::size_t order) const noexcept;
   static void record(Excess& worst, double stretch, std::size_t axis_number) noexcept;
   // `excess` of the ticks from - to.
