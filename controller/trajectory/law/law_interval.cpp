@@ -9,7 +9,8 @@ namespace {
 
 constexpr double kNoBound = std::numeric_limits<double>::infinity();
 constexpr int kRootSteps = 100;
-constexpr double kSquareResolution = 1e-13;  // of the largest x
+// Shares of the root: it is found up to the first one, and the second one is the least rounding of a slack there.
+constexpr double kRootResolution = 1e-13, kRootRounding = 1e-15;
 
 }  // namespace
 
@@ -89,24 +90,39 @@ double LawInterval::largest_near(double far_square) const noexcept {
   if (at_high.value >= 0.0) return high;
   double low = 0.0;
   Slack at_low = slack(low, far_square);
-  // The slack is concave: its tangent at `high` meets 0 at or beyond the root, its chord at or before it.
-  for (int i = 0; i < kRootSteps && high - low > kSquareResolution * near_most_; ++i) {
+  double less = kRootRounding;
+  // The slack is concave: its tangent at `high` meets 0 at or beyond the root, its chord at or before it. A tangent at
+  // the root moves nowhere, although rounding may have left a slack below 0 there: a little less x is tried then.
+  for (int i = 0; i < kRootSteps && high - low > kRootResolution * high; ++i) {
+    const double width = high - low;
     const double tangent = at_high.slope < 0.0 ? high - at_high.value / at_high.slope : high;
-    if (tangent > low && tangent < high) {
-      const Slack there = slack(tangent, far_square);
-      if (there.value >= 0.0) return tangent;
-      high = tangent;
-      at_high = there;
+    double tried = (1.0 - less) * high;
+    if (tangent < tried) {
+      tried = tangent;
+    } else {
+      less = std::min(4.0 * less, kRootResolution);
     }
-    const double chord = low + (high - low) * at_low.value / (at_low.value - at_high.value);
-    for (const double tried : {chord, 0.5 * (low + high)}) {
-      if (!(tried > low && tried < high)) continue;
-      const Slack there = slack(tried, far_square);
-      (there.value >= 0.0 ? low : high) = tried;
-      (there.value >= 0.0 ? at_low : at_high) = there;
-    }
+    if (!(tried > low)) break;
+    const Slack there = slack(tried, far_square);
+    if (there.value >= 0.0) return tried;
+    high = tried;
+    at_high = there;
+    if (high - low > 0.5 * width) narrow(low, at_low, high, at_high, far_square);
   }
   return low;
+}
+
+// Halves the interval from `low`, whose slack is at least 0, to `high`, or does more by the chord.
+void LawInterval::narrow(double& low, Slack& at_low, double& high, Slack& at_high, double far_square) const noexcept {
+  const double half = 0.5 * (high - low);
+  const auto with = [&](double tried) {
+    if (!(tried > low && tried < high)) return;
+    const Slack there = slack(tried, far_square);
+    (there.value >= 0.0 ? low : high) = tried;
+    (there.value >= 0.0 ? at_low : at_high) = there;
+  };
+  with(low + (high - low) * at_low.value / (at_low.value - at_high.value));
+  if (high - low > half) with(0.5 * (low + high));
 }
 
 double LawInterval::fastest_far(double near_square, double far_square) const noexcept {

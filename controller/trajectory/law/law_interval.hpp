@@ -39,6 +39,7 @@ class LawInterval {
     double slope = 0.0;
   };
   [[nodiscard]] Slack slack(double square, double far_square) const noexcept;
+  void narrow(double& low, Slack& at_low, double& high, Slack& at_high, double far_square) const noexcept;
 
   // The limits of both ends, all by u and x of the near end.
   static constexpr std::size_t kBands = 2 * std::tuple_size_v<decltype(LawLimits::bands)>, kEllipses = 4;

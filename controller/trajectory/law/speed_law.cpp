@@ -15,6 +15,8 @@ constexpr double kSameSquare = 1e-9;
 constexpr double kClosestPoints = 1e-4;
 // A change of the square by at least this share gets a point, even if it happens closer to the end of the interval.
 constexpr double kLargeChange = 1e-3;
+// One that is closer than this share is a change at the end of the interval, where there is a point.
+constexpr double kSamePlace = 1e-9;
 constexpr double kHardlySlowed = 0.999;  // share of a limit
 
 }  // namespace
@@ -236,7 +238,8 @@ void SpeedLaw::pass_forth(std::size_t point) noexcept {
   const double closest = kClosestPoints * step;
   const auto add_after = [&](double after, bool large_change) {
     const bool inside = after > closest && after < step - closest;
-    if (!inside && !(large_change && after > 0.0 && after < step)) return false;
+    const bool between_points = after > kSamePlace * step && after < (1.0 - kSamePlace) * step;
+    if (!inside && !(large_change && between_points)) return false;
     near.add_after = std::clamp(after, closest, step - closest);
     ++to_add_;
     return true;
