@@ -71,7 +71,8 @@ class Conservation {
   void on_tick(const TickPulses& tick);
   // Call after the edge that raised the trigger pin, after on_outputs() of that cycle.
   void on_trigger(Cycles now);
-  // A bus access without error whose response the core receives at `now`.
+  // A bus access without error whose response the core receives at `now`. A write that the logic has executed counts,
+  // even if a fault turns its response into an error.
   void on_write(Cycles now, std::uint32_t addr, std::uint32_t data);
   void on_read(Cycles now, std::uint32_t addr, std::uint32_t data);
   // Call at the end of the run. Missing pulses without an explanation become a violation.

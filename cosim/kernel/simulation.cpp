@@ -255,7 +255,11 @@ void Simulation::finish_access(BusResponse response) {
   bus_time_.at(static_cast<std::size_t>(access_->core)) += now() - access_since_;
   const Processor::Access access = *std::exchange(access_, std::nullopt);
   const BusRequest& request = access.request;
-  if (injector_.takes_for_error(request.addr)) response = {.error = BusError::kSlaveError, .data = 0};
+  if (injector_.takes_for_error(request.addr)) {
+    // The fault spoils the response of an access that the logic has executed.
+    if (request.write && response.error == BusError::kNone) conservation_.on_write(now(), request.addr, request.data);
+    response = {.error = BusError::kSlaveError, .data = 0};
+  }
   if (response.error != BusError::kNone && (access.stray || injector_.explains_bus_errors())) {
     processor_->abort(access, now());
     listener_.on_signal(BusAbort{.access = access, .error = response.error}, now());
