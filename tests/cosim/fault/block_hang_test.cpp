@@ -5,27 +5,17 @@
 #include <cstdint>
 
 #include "cosim/run/run.hpp"
-#include "tests/cosim/support/scenario_files.hpp"
+#include "tests/cosim/support/whole_run.hpp"
 
 namespace armature::cosim {
 namespace {
 
 // A move that the hang interrupts.
 RunSummary hung_at(std::int64_t cycle, ClockGroup clock, Engine engine) {
-  Scenario scenario = test::scenario_with(R"(
-[[move]]
-at_s = 0.002
-type = "joint"
-target_deg = [40, 40, 40, 40, 40, 40]
-)");
-  scenario.duration_s = 0.0205;
-  scenario.engine = engine;
+  Scenario scenario = test::moving_scenario(0.0205, engine);
   scenario.drop_out_us = 200;
   scenario.faults = {{.at_s = static_cast<double>(cycle) * 20e-9, .kind = BlockHang{.clock = clock}}};
-  Run run{scenario};
-  while (run.advance(run.now() + Cycles{1'000'000})) {
-  }
-  return run.finish();
+  return test::summary_of(scenario);
 }
 
 // Core 0 reads three positions, one after the other.

@@ -8,28 +8,20 @@
 #include <string>
 
 #include "cosim/run/run.hpp"
-#include "tests/cosim/support/scenario_files.hpp"
+#include "tests/cosim/support/whole_run.hpp"
 
 namespace armature::cosim {
 namespace {
 
 Scenario stopped_at(std::int64_t cycle, Engine engine) {
-  Scenario scenario = test::scenario_with(R"(
-[[move]]
-at_s = 0.002
-type = "joint"
-target_deg = [40, 40, 40, 40, 40, 40]
-)");
-  scenario.duration_s = 0.03;
-  scenario.engine = engine;
+  Scenario scenario = test::moving_scenario(0.03, engine);
   scenario.faults = {{.at_s = static_cast<double>(cycle) * 20e-9, .kind = ClockStop{.duration_s = 2e-4}}};
   return scenario;
 }
 
 std::string end_of(const Scenario& scenario) {
   Run run{scenario};
-  while (run.advance(run.now() + Cycles{1'000'000})) {
-  }
+  test::run_out(run);
   const unsigned referenced = run.look().telemetry.referenced;
   const RunSummary summary = run.finish();
   constexpr std::int64_t kTwoTicks = 20;  // of motion [counts]

@@ -27,6 +27,7 @@
 #include "cosim/scenario/kinds.hpp"
 #include "cosim/text/names.hpp"
 #include "tests/cosim/support/scenario_files.hpp"
+#include "tests/cosim/support/whole_run.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -212,8 +213,7 @@ Seen see(const Case& row, double at_s) {
   RunUnderTest run{scenario};
   Watch watch;
   run.add(watch);
-  while (run.advance(run.now() + Cycles{1'000'000})) {
-  }
+  test::run_out(run);
   const RunSummary summary = run.finish();
   const RunFacts& facts = summary.facts;
   Seen seen;
@@ -338,8 +338,7 @@ TEST(FaultTable, EveryFaultIsTheSameOnAllEngines) {
       RunUnderTest run{scenario};
       Rows rows;
       run.add(rows);
-      while (run.advance(run.now() + Cycles{1'000'000})) {
-      }
+      test::run_out(run);
       EXPECT_EQ(run.finish().failure, std::nullopt) << row.fault;
       return rows.rows;
     };

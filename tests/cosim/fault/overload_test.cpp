@@ -7,17 +7,14 @@
 #include <vector>
 
 #include "cosim/run/run.hpp"
-#include "tests/cosim/support/scenario_files.hpp"
+#include "tests/cosim/support/whole_run.hpp"
 
 namespace armature::cosim {
 namespace {
 
 // Axis 2 is blocked during its move. Its drive has some milliseconds for three times the rated torque.
 Scenario blocked_move(double overload_300_s) {
-  const test::TempFolder folder;
-  Scenario scenario = load_scenario(folder.write("s/scenario.toml", R"(description = "overload"
-robot = "vo2021_6r_dynamic"
-duration_s = 0.35
+  Scenario scenario = test::scenario_with(R"(
 [[move]]
 at_s = 0.002
 type = "joint"
@@ -27,8 +24,9 @@ at_s = 0.05
 kind = "axis_blocked"
 axis = 2
 duration_s = 1
-)"),
-                                    test::shipped());
+)",
+                                          "vo2021_6r_dynamic");
+  scenario.duration_s = 0.35;
   for (AxisSpec& axis : scenario.robot.axes) {
     axis.dynamics->overload_300_s = overload_300_s;
     axis.dynamics->overload_200_s = 3 * overload_300_s;
@@ -44,20 +42,12 @@ class OverloadRows final : public RunListener {
   std::vector<std::tuple<std::int64_t, PerAxis<Counts>, PerAxis<std::int64_t>>> rows;
 };
 
-RunSummary end_of_blocked(const Scenario& scenario, OverloadRows& rows) {
-  Run run{scenario};
-  run.add(rows);
-  while (run.advance(run.now() + Cycles{1'000'000})) {
-  }
-  return run.finish();
-}
-
 // An axis that is blocked falls behind at once, and its drive is hot only later.
 TEST(Overload, StopsTheArmWhenNothingElseHasFoundTheBlockedAxis) {
   OverloadRows rows;
-  const RunSummary slow = end_of_blocked(blocked_move(2.8), rows);
+  const RunSummary slow = test::summary_of(blocked_move(2.8), {&rows});
   EXPECT_EQ(slow.outcome(), "fault:following_error");
-  const RunSummary quick = end_of_blocked(blocked_move(0.01), rows);
+  const RunSummary quick = test::summary_of(blocked_move(0.01), {&rows});
   ASSERT_FALSE(quick.facts.faults.empty());
   EXPECT_EQ(quick.facts.faults[0].cause, FaultCause::kDriveAlarm);
   EXPECT_LT(quick.facts.faults[0].where.at, slow.facts.faults[0].where.at);
@@ -68,9 +58,9 @@ TEST(Overload, IsTheSameOnAllEngines) {
   scenario.duration_s = 0.1;
   OverloadRows of_model, of_both;
   scenario.engine = Engine::kModel;
-  EXPECT_EQ(end_of_blocked(scenario, of_model).failure, std::nullopt);
+  EXPECT_EQ(test::summary_of(scenario, {&of_model}).failure, std::nullopt);
   scenario.engine = Engine::kLockstep;
-  EXPECT_EQ(end_of_blocked(scenario, of_both).failure, std::nullopt);
+  EXPECT_EQ(test::summary_of(scenario, {&of_both}).failure, std::nullopt);
   EXPECT_EQ(of_model.rows, of_both.rows);
 }
 

@@ -6,7 +6,7 @@
 #include "controller/regs/pulse_train_regs.hpp"
 #include "controller/regs/soc_map.hpp"
 #include "cosim/run/run.hpp"
-#include "tests/cosim/support/scenario_files.hpp"
+#include "tests/cosim/support/whole_run.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -14,19 +14,9 @@ namespace {
 constexpr std::uint32_t kCommit = regs::soc::kPulseTrainBase + regs::pulse_train::kCommitOffset;
 
 RunSummary with_error_of_commit(Engine engine) {
-  Scenario scenario = test::scenario_with(R"(
-[[move]]
-at_s = 0.002
-type = "joint"
-target_deg = [40, 40, 40, 40, 40, 40]
-)");
-  scenario.duration_s = 0.03;
-  scenario.engine = engine;
+  Scenario scenario = test::moving_scenario(0.03, engine);
   scenario.faults = {{.at_s = 0.02, .kind = SlaveError{.address = kCommit, .count = 1}}};
-  Run run{scenario};
-  while (run.advance(run.now() + Cycles{1'000'000})) {
-  }
-  return run.finish();
+  return test::summary_of(scenario);
 }
 
 // The pulses of the last set that core 0 has committed come out, although its write was answered with SLVERR.

@@ -9,6 +9,7 @@
 
 #include "cosim/run/run.hpp"
 #include "tests/cosim/support/scenario_files.hpp"
+#include "tests/cosim/support/whole_run.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -36,11 +37,7 @@ PendantSteps download(bool overrun, Engine engine) {
   scenario.pendant->steps.resize(2);
   if (overrun) scenario.faults = {{.at_s = 0.01, .kind = UartOverrun{.duration_s = 0.02}}};
   PendantSteps steps;
-  Run run{scenario};
-  run.add(steps);
-  while (run.advance(run.now() + Cycles{1'000'000})) {
-  }
-  EXPECT_EQ(run.finish().failure, std::nullopt);
+  EXPECT_EQ(test::summary_of(scenario, {&steps}).failure, std::nullopt);
   return steps;
 }
 

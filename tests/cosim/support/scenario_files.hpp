@@ -16,11 +16,10 @@ inline LoadOptions shipped() {
 }
 
 // A scenario of one second that has these tables besides the keys that every scenario has.
-inline Scenario scenario_with(const std::string& tables) {
+inline Scenario scenario_with(const std::string& tables, const std::string& robot = "vo2021_6r") {
   const TempFolder folder;
-  return load_scenario(
-      folder.write("s/scenario.toml", "description = \"test\"\nrobot = \"vo2021_6r\"\nduration_s = 1\n" + tables),
-      shipped());
+  const std::string keys = "description = \"test\"\nrobot = \"" + robot + "\"\nduration_s = 1\n";
+  return load_scenario(folder.write("s/scenario.toml", keys + tables), shipped());
 }
 
 // The message of a scenario that cannot be loaded; empty when it can.

@@ -1,0 +1,37 @@
+// Runs of whole scenarios.
+#pragma once
+
+#include <initializer_list>
+
+#include "cosim/run/run.hpp"
+#include "tests/cosim/support/scenario_files.hpp"
+
+namespace armature::cosim::test {
+
+// Advances to the end.
+inline void run_out(Run& run) {
+  while (run.advance(run.now() + Cycles{1'000'000})) {
+  }
+}
+
+inline RunSummary summary_of(const Scenario& scenario, std::initializer_list<RunListener*> listeners = {}) {
+  Run run{scenario};
+  for (RunListener* listener : listeners) run.add(*listener);
+  run_out(run);
+  return run.finish();
+}
+
+// All joints move from 2 ms on.
+inline Scenario moving_scenario(double duration_s, Engine engine) {
+  Scenario scenario = scenario_with(R"(
+[[move]]
+at_s = 0.002
+type = "joint"
+target_deg = [40, 40, 40, 40, 40, 40]
+)");
+  scenario.duration_s = duration_s;
+  scenario.engine = engine;
+  return scenario;
+}
+
+}  // namespace armature::cosim::test
