@@ -1,4 +1,4 @@
-# Whether the packages of tools/packages-python.txt are installed: IF_INSTALLED becomes ON or OFF, and ON without them is an error.
+# Whether the packages of tools/packages-python.txt are installed.
 # The module is for the Python of Debian, to which these packages belong, or for the one that ARMATURE_PYTHON_PROGRAM names.
 find_program(ARMATURE_PYTHON_PROGRAM python3 PATHS /usr/bin NO_DEFAULT_PATH)
 find_path(ARMATURE_PYBIND11_INCLUDE pybind11/pybind11.h)
@@ -24,13 +24,5 @@ endif()
 if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
   list(APPEND missing "clang, whose code can be part of a shared library")
 endif()
-if(missing AND ARMATURE_PYTHON STREQUAL "ON")
-  list(JOIN missing ", " missing)
-  message(FATAL_ERROR "ARMATURE_PYTHON=ON needs ${missing}: tools/python installs tools/packages-python.txt")
-elseif(ARMATURE_PYTHON STREQUAL "IF_INSTALLED")
-  if(missing)
-    set(ARMATURE_PYTHON OFF)
-  else()
-    set(ARMATURE_PYTHON ON)
-  endif()
-endif()
+include(cosim/if_installed.cmake)
+if_installed(ARMATURE_PYTHON "${missing}" "tools/python installs tools/packages-python.txt")
