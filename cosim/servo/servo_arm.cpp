@@ -25,7 +25,7 @@ WholePair negative(Pair value) {
 }  // namespace
 
 ServoArm::ServoArm(const ServoNumbers& numbers, const ArmModel& model, int renewal)
-    : numbers_{numbers}, arm_{model}, renewal_{renewal}, has_overload_alarm_{numbers.has_overload_alarm()} {
+    : numbers_{numbers}, arm_{model}, renewal_{renewal} {
   state_.braking = numbers_.holding;
   const LoadSide::State load = arm_.at({}, {});
   for (std::size_t i = 0; i < kAxes; ++i) {
@@ -53,7 +53,7 @@ void ServoArm::step(std::uint8_t controlled, const AxisNumbers& reference, AxisN
   }
   for_each_bit(blocked_, [&](std::size_t axis) { state_.speed[axis] = 0.0; });
   const bool loads_move = turn_loads(gears);
-  if (has_overload_alarm_) warm_drives(controlled);
+  warm_drives(controlled);
   const Pair h = both(numbers_.step_s);
   for (std::size_t i = 0; i < kAxisPairs; ++i) {
     const Pair turned = h * state_.speed.pair(i);

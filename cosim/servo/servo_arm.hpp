@@ -95,7 +95,6 @@ class ServoArm {
   ServoNumbers numbers_;
   LoadSide arm_;
   int renewal_;
-  bool has_overload_alarm_;
   std::uint8_t blocked_ = 0;  // one bit per axis
   PerAxis<double> brake_share_{1, 1, 1, 1, 1, 1};
   State state_, kept_;

@@ -91,13 +91,6 @@ void set_axis(ServoNumbers& numbers, std::size_t i, const AxisSpec& axis) {
 
 }  // namespace
 
-bool ServoNumbers::has_overload_alarm() const {
-  for (std::size_t i = 0; i < kAxes; ++i) {
-    if (heating[i] != 0.0) return true;
-  }
-  return false;
-}
-
 ServoNumbers servo_numbers(const PerAxis<AxisSpec>& axes, double step_s) {
   ServoNumbers numbers;
   numbers.step_s = step_s;

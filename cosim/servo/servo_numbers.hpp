@@ -44,7 +44,6 @@ struct ServoNumbers {
   // ---- overload alarm: the heat of a drive is 0 when cold, and trips at 1
   AxisNumbers heating;  // in a step with a torque of 1 N m; it grows with the square. 0: there is no alarm
   AxisNumbers cooling;  // in a step
-  [[nodiscard]] bool has_overload_alarm() const;
 };
 
 // Throws std::invalid_argument when a number is not positive that must be, or a loop is too fast for the step.
