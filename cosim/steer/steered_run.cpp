@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <span>
 #include <utility>
@@ -10,17 +9,15 @@
 
 #include "controller/base/overloaded.hpp"
 #include "cosim/run/run_folder.hpp"
+#include "cosim/scenario/moves/jog.hpp"
+#include "cosim/scenario/moves/pose.hpp"
 #include "cosim/scenario/tables/shared_keys.hpp"
 #include "cosim/text/input_error.hpp"
 #include "cosim/text/names.hpp"
-#include "cosim/text/printable.hpp"
 #include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
 namespace {
-
-constexpr double kMaxDelayMs = 10'000;
-constexpr double kMinAccelPercent = 1;
 
 // A not-a-number is outside, too.
 void require_between(const char* what, const std::string& name, std::span<const double> values, double limit) {
@@ -44,20 +41,18 @@ void require_valid(const JogSpec& jog, const RobotSpec& robot) {
   if (jog.joint_deg_s) require_between(kWhat, "joint_deg_s", *jog.joint_deg_s, kMaxSpeed);
   require_between(kWhat, "tool_mm_s", jog.tool_mm_s, kMaxSpeed);
   require_between(kWhat, "tool_deg_s", jog.tool_deg_s, kMaxSpeed);
-  if (!(jog.accel_percent >= kMinAccelPercent && jog.accel_percent <= 100)) {
-    throw InputError{kWhat,
-                     fmt::format("accel_percent: expected {} to 100, found {}", kMinAccelPercent, jog.accel_percent)};
+  if (!(jog.accel_percent >= kMinJogAccelPercent && jog.accel_percent <= 100)) {
+    throw InputError{
+        kWhat, fmt::format("accel_percent: expected {} to 100, found {}", kMinJogAccelPercent, jog.accel_percent)};
   }
   if (jog.profile != ProfileKind::kTrapezoid) throw InputError{kWhat, "profile: expected trapezoid"};
 }
 
-// As FrameId has it.
 std::size_t frame_of(const std::string& name, const Scenario& scenario) {
-  if (name == kToolFrameName) return kToolFrameIndex;
-  if (name == kBaseFrameName) return 0;
-  const auto found = std::ranges::find(scenario.frames, name, &FrameSpec::name);
-  if (found == scenario.frames.end()) throw InputError{"jog", "unknown frame \"" + printable(name) + "\""};
-  return static_cast<std::size_t>(found - scenario.frames.begin()) + 1;
+  std::size_t frame = 0;
+  const std::string problem = find_frame(name, frame, {.scenario = &scenario});
+  if (!problem.empty()) throw InputError{"jog", problem};
+  return frame;
 }
 
 void require_valid(const SetPoint& point) {
@@ -119,7 +114,7 @@ void SteeredRun::jog(JogSpec jog) {
 }
 
 void SteeredRun::begin_stream(const SetPoint& first) {
-  require_above_zero("set-point", "delay_ms", first.delay_ms, kMaxDelayMs);
+  require_above_zero("set-point", "delay_ms", first.delay_ms, kMaxStreamDelayMs);
   scenario_.streams.push_back({.at_s = to_seconds(now()),
                                .file_name = "set-points from outside",
                                .delay_ms = first.delay_ms,

@@ -53,9 +53,10 @@ struct JogSpec {
   return jog;
 }
 
+inline constexpr double kMinJogAccelPercent = 1;
+
 template <>
 [[nodiscard]] inline const MoveEntry<JogSpec>& move_entry<JogSpec>() {
-  constexpr double kMinAccelPercent = 1;
   constexpr auto kJerkKey = [](std::string_view name, double JogSpec::*member, std::string_view unit,
                                std::string_view text) {
     return key(name, member, above(0, kMaxJerk, unit), text)
@@ -104,7 +105,7 @@ template <>
                .checked([](JogSpec& jog, const KeyContext& context) {
                  return jog.joint_deg_s ? lacking_jerk(jog.profile, context) : std::string{};
                }),
-           key("accel_percent", &JogSpec::accel_percent, between(kMinAccelPercent, 100, "percent"),
+           key("accel_percent", &JogSpec::accel_percent, between(kMinJogAccelPercent, 100, "percent"),
                "Acceleration of the joints as a share of their limits.")
                .only(beside("joint_deg_s")),
            key("accel_mm_s2", &JogSpec::accel_mm_s2, above(0, kMaxAccel, "mm/s^2"),

@@ -68,8 +68,8 @@ const KeyTable<DynamicsSpec>& dynamics_keys() {
               "Viscous friction of the joint, behind the gear."),
           key("rated_torque_nm", &DynamicsSpec::rated_torque_nm, between(0, kMaxMotorNm, "N m"),
               "Torque that the motor may have for good. With a number above 0 the drive has an overload alarm: its "
-              "heat "
-              "rises with the square of the torque, and falls below the rated torque. The alarm is that of the pin "
+              "heat rises with the square of the torque, and falls below the rated torque. The alarm is that of the "
+              "pin "
               "`drive_alarm`. 0: no such alarm."),
           key("overload_200_s", &DynamicsSpec::overload_200_s, between(0, kMaxOverloadS, "s"),
               "Time until the overload alarm with twice the rated torque, from cold."),

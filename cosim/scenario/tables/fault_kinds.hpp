@@ -110,8 +110,7 @@ template <>
       .name = "uart_overrun",
       .text =
           "core 1 does not see the interrupt of axi_uart16550. It reads the receiver only when something else wakes "
-          "it, "
-          "so the FIFO of 16 characters runs over",
+          "it, so the FIFO of 16 characters runs over",
       .keys = {duration_key<UartOverrun>()},
       .details = duration_details<UartOverrun>,
   };

@@ -17,6 +17,7 @@ inline constexpr double kMaxDurationS = 86'400;      // a day
 inline constexpr double kCycleS = 1.0 / kClkFreqHz;  // what lasts for less can miss every edge of the clock
 inline constexpr double kMaxCycles = 50'000'000;     // a second of the 50 MHz clock
 inline constexpr double kMaxCount = 1'000'000'000;
+inline constexpr double kMaxStreamDelayMs = 10'000;
 inline constexpr double kMaxPlaceMm = 100'000;  // far beyond any arm; this only catches nonsense
 inline constexpr double kMaxAngleDeg = 36'000;  // soft limits are the controller's business
 

@@ -29,7 +29,7 @@ const KeyTable<StreamSpec>& stream_keys() {
           at_key<StreamSpec>("Time at which the first set-point is sent."),
           key("file", &StreamSpec::file_name, anything(), "CSV file of the set-points, relative to the scenario file.")
               .required(),
-          key("delay_ms", &StreamSpec::delay_ms, above(0, 10'000, "ms"),
+          key("delay_ms", &StreamSpec::delay_ms, above(0, kMaxStreamDelayMs, "ms"),
               "The arm follows the stream this much later than the first set-point came. A set-point that is not there "
               "when it is needed stops the arm. At least twice the interval of the set-points gives the smoothest "
               "motion.")
