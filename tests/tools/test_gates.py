@@ -5,7 +5,6 @@ import os
 import pathlib
 import sys
 import tempfile
-import time
 import unittest
 from unittest import mock
 
@@ -17,7 +16,7 @@ import ctest  # noqa: E402
 import recorded  # noqa: E402
 import same_bytes  # noqa: E402
 from recorded import Gate  # noqa: E402
-from session import BUILD, Beside, Outcome, Row, Session, excess  # noqa: E402
+from session import BUILD, Outcome, Row, Session, excess  # noqa: E402
 
 spec = importlib.util.spec_from_file_location("gates", ROOT / "tools/gates/__main__.py")
 gates = importlib.util.module_from_spec(spec)
@@ -233,45 +232,6 @@ class Budget(unittest.TestCase):
         self.assertFalse(session.gate("busy", busy))
         self.assertEqual((session.passed, session.failed), (2, 1))
         self.assertGreater(session.rows[0].processor_s, 0.02)
-
-
-class BesideTheGates(unittest.TestCase):
-    def test_a_program_beside_is_a_check_with_its_output(self):
-        with Beside(["sh", "-c", "echo found; exit 3"]) as bad, Beside(["true"]) as good:
-            self.assertEqual((bad.outcome().failed, bad.outcome().log), (1, "found\n"))
-            self.assertEqual((good.outcome().passed, good.outcome().failed), (1, 0))
-
-    def test_it_has_the_lowest_priority(self):
-        code = "import os; print(os.nice(0), os.getsid(0))"
-        with Beside([sys.executable, "-c", code]) as program:
-            self.assertEqual(program.outcome().log, f"19 {os.getsid(0)}\n")
-
-    def test_its_time_is_counted_where_it_is_waited_for(self):
-        session = Session("changes")
-        with Beside([sys.executable, "-c", "sum(range(10**7)); print('done')"]) as program:
-            other = Outcome(1, 0)
-
-            def wait_for_it():
-                while program.log.tell() < len("done\n"):  # the position is shared with the program
-                    time.sleep(0.01)
-                return other
-
-            session.gate("other", wait_for_it)
-            session.gate("beside", program.outcome)
-        other, beside = session.rows
-        self.assertGreater(beside.processor_s, 0.05)
-        self.assertLess(other.processor_s, beside.processor_s)
-
-    def test_it_ends_with_its_own_programs_when_a_gate_is_interrupted(self):
-        with tempfile.TemporaryDirectory() as folder:
-            file = pathlib.Path(folder, "started")
-            with self.assertRaises(KeyboardInterrupt), Beside(["sh", "-c", f"sleep 1000 & echo $! > {file}; wait"]):
-                while not file.exists() or not file.read_text():
-                    time.sleep(0.01)
-                raise KeyboardInterrupt
-            child = pathlib.Path("/proc", file.read_text().strip(), "status")
-            while child.exists() and "State:\tZ" not in child.read_text():  # else CTest ends this test
-                time.sleep(0.01)
 
 
 class Groups(unittest.TestCase):

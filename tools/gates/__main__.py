@@ -11,7 +11,7 @@ from pathlib import Path
 import ctest
 import recorded
 from same_bytes import same_bytes
-from session import BUILD, ROOT, Beside, Outcome, Session, command, say
+from session import BUILD, ROOT, Outcome, Session, command, say
 
 TEST, SANITIZED, GCC = (ROOT / "build" / name for name in ("test", "dev", "gcc"))
 FEW = {"ARMATURE_FEW_DRAWS": "1"}
@@ -22,13 +22,9 @@ MOST_NAMES = 6  # of gates in a message
 FOREIGN_INPUT = ["-L", "^foreign_input$"]
 
 
-def building(folder: Path, targets: list[str] = ()) -> list:
-    """The command that configures and builds a preset; the folder has its name."""
-    return ["bash", "-c", 'source "$0"; build_preset "$@"', ROOT / "tools/setup.sh", folder.name, *targets]
-
-
 def build(folder: Path, targets: list[str] = ()) -> Outcome:
-    return command(building(folder, targets))
+    """Configures and builds a preset; the folder has its name."""
+    return command(["bash", "-c", 'source "$0"; build_preset "$@"', ROOT / "tools/setup.sh", folder.name, *targets])
 
 
 def with_rs274() -> dict[str, str]:
@@ -119,15 +115,12 @@ def all_changes(session: Session):
     """tools/test: what a change can break, in a quarter of an hour."""
     session.gate("style", lambda: command([ROOT / "tools/style"]))
     environment = {**with_rs274(), **FEW, **FEW_SCENARIOS}
-    built = session.gate(BUILD, lambda: build(TEST))
-    with Beside(building(SANITIZED, ["foreign_input"])) as sanitized:
-        if built:
-            groups = ["unit tests", "scenarios", "command line and page", "long tests", ctest.OTHERS]
-            tests(session, groups, recorded.targets(TEST), environment)
-            session.gate("recorded gates", lambda: recorded_gates(Records.run_due))
-        session.gate("clang-tidy", lambda: command([ROOT / "tools/tidy", "--changed"]))
-        built = session.gate("build for foreign input", sanitized.outcome)
-    if built:
+    if session.gate(BUILD, lambda: build(TEST)):
+        groups = ["unit tests", "scenarios", "command line and page", "long tests", ctest.OTHERS]
+        tests(session, groups, recorded.targets(TEST), environment)
+        session.gate("recorded gates", lambda: recorded_gates(Records.run_due))
+    session.gate("clang-tidy", lambda: command([ROOT / "tools/tidy", "--changed"]))
+    if session.gate("build for foreign input", lambda: build(SANITIZED, ["foreign_input"])):
         session.gate("foreign input", lambda: ctest.run(SANITIZED, FOREIGN_INPUT, environment={**FEW, **SHORT_FUZZ}))
 
 
@@ -135,13 +128,11 @@ def everything(session: Session):
     """tools/test --all: everything, in half an hour."""
     session.gate("style", lambda: command([ROOT / "tools/style"]))
     environment = {**with_rs274(), **EVERY_ENGINE}
-    built = session.gate(BUILD, lambda: build(TEST, ["without_unit_tests", "recorded_gates", "benchmarks"]))
-    with Beside([ROOT / "tools/tidy"]) as tidy:
-        if built:
-            groups = ["scenarios", "command line and page", "long tests", ctest.OTHERS]
-            tests(session, groups, unit_tests(), environment)
-            session.gate("recorded gates", lambda: recorded_gates(Records.run_all))
-        session.gate("clang-tidy", tidy.outcome)
+    if session.gate(BUILD, lambda: build(TEST, ["without_unit_tests", "recorded_gates", "benchmarks"])):
+        groups = ["scenarios", "command line and page", "long tests", ctest.OTHERS]
+        tests(session, groups, unit_tests(), environment)
+        session.gate("recorded gates", lambda: recorded_gates(Records.run_all))
+    session.gate("clang-tidy", lambda: command([ROOT / "tools/tidy"]))
     sanitized = session.gate("sanitizer build", lambda: build(SANITIZED))
     if sanitized:
         session.gate("sanitizer tests", sanitizer_tests)

@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-import os
-import signal
 import subprocess
 import sys
-import tempfile
 import time
 import tomllib
 import traceback
@@ -55,40 +52,6 @@ def command(words: list, folder: Path = ROOT, environment: dict[str, str] | None
         errors="replace",
     )
     return Outcome(int(run.returncode == 0), int(run.returncode != 0), log=run.stdout)
-
-
-class Beside:
-    """A program that runs beside the gates with the lowest priority: it uses the processors that they leave idle, for example
-    while tests wait for a browser. It is a gate itself: outcome(). What it uses is counted in the gate that waits for it,
-    because the system counts the time of a program when it has ended and its end was read."""
-
-    def __init__(self, words: list, folder: Path = ROOT):
-        self.log = tempfile.TemporaryFile("w+", errors="replace")
-        self.run = subprocess.Popen(
-            ["nice", "-n", "19", *map(str, words)],
-            cwd=folder,
-            stdout=self.log,
-            stderr=subprocess.STDOUT,
-            stdin=subprocess.DEVNULL,
-            # Its own programs end with it. It stays in this session: the kernel shares the processors between sessions
-            # first, whatever their priority.
-            process_group=0,
-        )
-
-    def __enter__(self) -> Beside:
-        return self
-
-    def __exit__(self, *_):
-        if self.run.poll() is None:  # a gate was interrupted
-            os.killpg(self.run.pid, signal.SIGTERM)
-            self.run.wait()
-        self.log.close()
-
-    def outcome(self) -> Outcome:
-        """One check: waits for the program, which ends with exit code 0."""
-        code = self.run.wait()
-        self.log.seek(0)
-        return Outcome(int(code == 0), int(code != 0), log=self.log.read())
 
 
 def excess(rows: list[Row], shares: dict[str, float]) -> list[str]:
