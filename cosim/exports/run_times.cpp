@@ -9,7 +9,7 @@ namespace armature::cosim {
 namespace {
 
 constexpr int kNsDigits = 9;
-constexpr std::int64_t kNsPerTick = kTickCycles.value() * kNsPerCycle;
+constexpr std::int64_t kNsPerTick = armature::kTickCycles.value() * kNsPerCycle;
 
 std::int64_t unit_ns(int digits) {
   std::int64_t ns = 1;
