@@ -21,13 +21,14 @@ VARIANTS = {"counts": 0, "paper": 1}
 
 
 def top(paper, edit=lambda text: text):
-    """The module arm_soc with its instances, read by Yosys."""
+    """The module arm_soc with its instances, read by Yosys. Of the blocks it reads the ports only."""
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch)
         (folder / "arm_soc.sv").write_text(edit((ROOT / "rtl/soc/arm_soc.sv").read_text()))
         sources = [ROOT / "rtl" / source for source in rtl_sources(ROOT) if not source.endswith("arm_soc.sv")]
         script = (
-            f"read_verilog -sv -I{ROOT}/rtl/common {' '.join(map(str, sources))} {folder}/arm_soc.sv; "
+            f"read_verilog -lib -sv -I{ROOT}/rtl/common {' '.join(map(str, sources))}; "
+            f"read_verilog -sv -I{ROOT}/rtl/common {folder}/arm_soc.sv; "
             f"chparam -set PaperFabric {paper} arm_soc; hierarchy -check -top arm_soc; proc; opt_clean; "
             f"write_json {folder}/design.json"
         )
