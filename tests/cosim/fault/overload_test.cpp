@@ -27,6 +27,7 @@ duration_s = 1
 )",
                                           "vo2021_6r_dynamic");
   scenario.duration_s = 0.35;
+  scenario.engine = Engine::kModel;
   for (AxisSpec& axis : scenario.robot.axes) {
     axis.dynamics->overload_300_s = overload_300_s;
     axis.dynamics->overload_200_s = 3 * overload_300_s;
