@@ -15,6 +15,7 @@ void Core1Loop::add(Interrupts line, InterruptHandler& handler) noexcept {
 }
 
 void Core1Loop::run(RegisterBus& bus) noexcept {
+  answer_watch();
   while (true) {
     const Interrupts lines = bus.wait_for_interrupt(Interrupts::kEvent | enabled_lines());
     if (lines == Interrupts::kNone) return;
@@ -40,6 +41,7 @@ void Core1Loop::route(Interrupts lines, RegisterBus& bus) noexcept {
 void Core1Loop::execute_clients(RegisterBus& bus) noexcept {
   bool more = true;
   while (more) {
+    answer_watch();
     for (const Event* event = channel_.events.front(); event != nullptr; event = channel_.events.front()) {
       notify_clients(*event);
       channel_.events.drop_front();
@@ -55,6 +57,10 @@ void Core1Loop::execute_clients(RegisterBus& bus) noexcept {
 void Core1Loop::on_event(const Event& event) noexcept {
   host_.on_event(event);
   notify_clients(event);
+}
+
+void Core1Loop::answer_watch() noexcept {
+  channel_.loop.answered.store(channel_.loop.question.load(std::memory_order_relaxed), std::memory_order_relaxed);
 }
 
 void Core1Loop::notify_clients(const Event& event) noexcept {

@@ -42,6 +42,7 @@ class Core1Loop final : public EventListener {
   void route(Interrupts lines, RegisterBus& bus) noexcept;
   void execute_clients(RegisterBus& bus) noexcept;
   void notify_clients(const Event& event) noexcept;
+  void answer_watch() noexcept;
 
   Channel& channel_;
   EventListener& host_;

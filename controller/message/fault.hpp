@@ -22,6 +22,7 @@ enum class FaultCause : std::uint8_t {
   kInverseKinematics,  // the logic solved a pose, and its joint angles are not those of the software
   kEncoderSpeed,       // an encoder is faster than the limit of its axis
   kEncoderAccel,       // an encoder changes its speed faster than the limit of its axis
+  kCore1Silent,        // core 1 has not answered for 0.25 s: nobody plans, and nobody listens to the pendant
 };
 
 struct Faulted {

@@ -38,7 +38,8 @@ MotionLoop::MotionLoop(const RobotModel& robot, bool feedback, LogicPort& logic,
       source_{source},
       inverse_{inverse},
       referenced_{referenced ? PulseTrain::kAllAxes : std::uint8_t{0}},
-      monitor_{robot} {}
+      monitor_{robot},
+      watch_{channel} {}
 
 void MotionLoop::run() noexcept {
   start();
@@ -85,6 +86,7 @@ void MotionLoop::tick() noexcept {
   telemetry_.tick += Ticks{1};
   const LogicInput& input = logic_.sample();
   for (std::size_t axis = 0; axis < kAxes; ++axis) telemetry_.actual[axis] = axes_[axis].actual(input.encoder[axis]);
+  watch_.observe(telemetry_.tick, bus_);
   const bool was_in_fault = telemetry_.state == MotionState::kFault;
   if (was_in_fault) {
     tick_in_fault(input);
@@ -123,6 +125,7 @@ MotionLoop::Finding MotionLoop::find_fault(const LogicInput& input) const noexce
   if (input.status.estop) return {FaultCause::kEstop};
   if (input.status.watchdog) return {FaultCause::kWatchdog};
   if (stood_still(input)) return {FaultCause::kClock};
+  if (watch_.silent()) return {FaultCause::kCore1Silent};
   if (inverse_ != nullptr && inverse_->differs) return {FaultCause::kInverseKinematics, inverse_->differing_axis};
   if (input.drives.alarm != 0) return {FaultCause::kDriveAlarm, first_axis(input.drives.alarm)};
   if (input.encoder_faults.any()) {

@@ -93,6 +93,7 @@ class MotionLoop {
   Telemetry telemetry_{};
   std::uint8_t referenced_;  // mask of axes whose joint angles are known
   EncoderMonitor monitor_;
+  Core1Watch watch_;
   bool trigger_late_ = false;  // the core waited longer than kLongestWait for the present tick
   Cycles woke_{};              // at the present tick
   Cycles since_wake_{};        // from the one before

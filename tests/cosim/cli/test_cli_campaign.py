@@ -12,10 +12,7 @@ RUNS = int(os.environ.get("ARMATURE_CAMPAIGN_RUNS", RUNS))
 # Kind of fault and outcome of the known silent errors; cosim/campaign/README.md says what happens.
 KNOWN = {
     ("clock_stop", "limit_exceeded"),
-    ("core1_stuck", "hang"),
-    ("block_hang", "hang"),
     ("stray_write", "hang"),
-    ("register_flip", "hang"),
     ("axis_blocked", "limit_exceeded"),
     ("extra_pulses", "limit_exceeded"),
     ("encoder_cable", "too_late"),
