@@ -19,16 +19,18 @@ inline constexpr std::string_view kCpuHelp =
     "instruction by instruction, which only the program `armature-iss` can. Results do not depend on it.";
 
 // Computing times of the simulated ARM cores, in clock cycles of the logic (20 ns; about 13 CPU cycles at 667 MHz).
+// The defaults are what the firmware needs at CPI 1.5: about the mean of a work in the middle one of the scenarios that
+// do it, or more. Interrupt entry and tick count together. These means stand behind; cosim/iss/README.md has more.
 struct CpuSpec {
   CpuKind processor = CpuKind::kHost;
   std::optional<double> cpi;                       // of kA9: clocks for each instruction; none: the costs below
-  std::int64_t interrupt_entry_cycles = 50;        // 1 us
-  std::int64_t tick_compute_cycles = 250;          // 5 us
-  std::int64_t plan_compute_cycles = 2500;         // 50 us
-  std::int64_t retarget_compute_cycles = 750;      // 15 us: a joint plan from a state of motion
-  std::int64_t inverse_compute_cycles = 150;       // 3 us: inverse kinematics of one pose, the nearest branch only
-  std::int64_t program_step_compute_cycles = 250;  // 5 us: a line of a program, or a part of it
-  std::int64_t network_compute_cycles = 200;       // 4 us: the network of a belt, some 450 products of bytes
+  std::int64_t interrupt_entry_cycles = 100;       // 2 us; 9 are instructions
+  std::int64_t tick_compute_cycles = 350;          // 7 us; 399
+  std::int64_t plan_compute_cycles = 850;          // 17 us; 419, without windows and corners of joint moves
+  std::int64_t retarget_compute_cycles = 720;      // 14.4 us; 728: a joint plan from a state of motion
+  std::int64_t inverse_compute_cycles = 350;       // 7 us; 351: a set-point of a path, or a pose of its plan
+  std::int64_t program_step_compute_cycles = 200;  // 4 us; 201: a line of a program, or a part of it
+  std::int64_t network_compute_cycles = 850;       // 17 us; 819: the network of a belt, some 450 products of bytes
 };
 
 // The costs of a core whose instructions are charged: none.

@@ -88,7 +88,8 @@ const KeyTable<CpuSpec>& cpu_keys() {
   static const KeyTable<CpuSpec> kTable{
       .text =
           "Computing times of the simulated ARM cores, in clock cycles of the logic. One cycle is 20 ns, which is "
-          "about 13 CPU cycles at 667 MHz.",
+          "about 13 CPU cycles at 667 MHz. The defaults are what the firmware needs at `cpi = 1.5` in an "
+          "ordinary scenario.",
       .keys = {
           named_key("processor", &CpuSpec::processor, kCpuHelp),
           key("cpi", &CpuSpec::cpi, between(0.1, 100, "clocks"),
@@ -96,17 +97,20 @@ const KeyTable<CpuSpec>& cpu_keys() {
               "below do not count. The fault `slow_core` adds its time. load.csv and summary.json have the "
               "instructions of a tick. Needs `processor = \"a9\"`."),
           key("interrupt_entry_cycles", &CpuSpec::interrupt_entry_cycles, between(0, kMaxCycles, "cycles"),
-              "Interrupt latency: time from the interrupt to the first instruction of its handler."),
+              "Interrupt latency: time from the interrupt to the first instruction of its handler. 9 cycles are "
+              "instructions; the rest is an assumption."),
           key("tick_compute_cycles", &CpuSpec::tick_compute_cycles, between(0, kMaxCycles, "cycles"),
-              "Time that core 0 needs to compute one tick."),
+              "Time that core 0 needs to compute one tick, without the works below."),
           key("plan_compute_cycles", &CpuSpec::plan_compute_cycles, between(0, kMaxCycles, "cycles"),
-              "Time that core 1 needs to plan one move."),
+              "Time that core 1 needs to plan one joint move, to begin a path or a further part of it, or for one "
+              "trial of a corner between joint moves."),
           key("retarget_compute_cycles", &CpuSpec::retarget_compute_cycles, between(0, kMaxCycles, "cycles"),
               "Time that a core needs to plan a joint motion that begins in motion. Core 0 plans over three ticks and "
               "needs this time in each. Core 1 needs it for a corner between a path and a joint move."),
           // At least one: planning without simulated time could keep the host busy between two cycles.
           key("inverse_compute_cycles", &CpuSpec::inverse_compute_cycles, between(1, kMaxCycles, "cycles"),
-              "Time that core 1 needs for the inverse kinematics of one pose."),
+              "Time for one pose of a path, with its inverse kinematics: that core 0 needs for a set-point, and core 1 "
+              "for each pose of its plan."),
           // At least one, for the same reason: a program may have an endless loop.
           key("program_step_compute_cycles", &CpuSpec::program_step_compute_cycles, between(1, kMaxCycles, "cycles"),
               "Time that core 1 needs for one step of a program: a line, or a part of it."),

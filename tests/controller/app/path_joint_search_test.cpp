@@ -24,7 +24,7 @@ std::vector<Command> pick_and_place() {
 }
 
 double charged_ms(Work work, std::int64_t times) {
-  return (work == Work::kRetarget ? 0.015 : 0.003) * static_cast<double>(times);
+  return (work == Work::kRetarget ? 0.0144 : 0.007) * static_cast<double>(times);
 }
 
 // A corner is searched with joint plans and kinematics, which both take time on core 1. `Work::kRetarget` is charged

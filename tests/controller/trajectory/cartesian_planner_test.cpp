@@ -240,7 +240,7 @@ TEST(CartesianPlanner, WorksInSlicesOfAnySizeWithTheSameResult) {
   EXPECT_EQ(sliced.planner.plan().duration, whole.planner.plan().duration);
 }
 
-// What core 1 is charged before the first motion, at 3 us each: it does not depend on the speed.
+// What core 1 is charged before the first motion, at 7 us each: it does not depend on the speed.
 TEST(CartesianPlanner, ASlowPathIsPlannedAsSoonAsAFastOne) {
   for (const ProfileKind profile : {ProfileKind::kTrapezoid, ProfileKind::kSCurve}) {
     for (const double speed_mm_s : {1.0, 2.0, 20.0, 100.0}) {

@@ -25,7 +25,7 @@ TEST(LogListener, WritesWhatTheScenarioDoesAndWhatIsSeen) {
            "output: pin 2 = 1\n",
            "servo enables of axes 6..1: 111111\n",
            "servo enables of axes 6..1: 000000\n",
-           "error: [0.045021 s] fault: estop\n",
+           "error: [0.045022 s] fault: estop\n",
            "input at 0.030000 s (tick 599, cycle 1500000): pin 3 = 1: move[1] accepted it after ",
            "info: [0.060000 s] end\n",
        }) {

@@ -16,7 +16,7 @@ namespace {
 using test::kReady;
 using test::PathRig;
 
-constexpr double kTicksPerInverse = 0.06;  // 3 us
+constexpr double kTicksPerInverse = 0.14;  // 7 us
 constexpr double kBlend_mm = 0.02;
 
 // Lines along y, one behind the other.
