@@ -30,7 +30,7 @@ struct Answer {
 
 struct LoopChannel {
   static constexpr std::size_t kAnswers = 8;
-  static constexpr std::uint32_t kNotStarted = 0, kFirstQuestion = 1;
+  static constexpr std::uint32_t kNotStarted = 0;
 
   // Core 0 -> core 1, with an event. It cannot fill up, see Channel.
   SpscQueue<Answer, kAnswers> answers;
@@ -38,7 +38,7 @@ struct LoopChannel {
   // Core 1 -> core 0: core 1 waits for time to pass and must be woken by an event in every tick.
   std::atomic<bool> wake_each_tick{false};
   // Core 0 -> core 1, with an event, and back: the newest question of the watch, and the last one that core 1 has seen.
-  std::atomic<std::uint32_t> question{kFirstQuestion};
+  std::atomic<std::uint32_t> question{kNotStarted + 1};
   std::atomic<std::uint32_t> answered{kNotStarted};
   std::uint32_t number = 0;  // of core 0 only: as in an answer
 };
@@ -60,11 +60,12 @@ class Core1Watch {
   // Call once in each tick. Asks when it is time. A core 1 that has not started is not watched.
   void observe(Ticks now, RegisterBus& bus) noexcept {
     const std::uint32_t answered = channel_.answered.load(std::memory_order_relaxed);
-    const bool waits = answered != question_;
+    const std::uint32_t question = channel_.question.load(std::memory_order_relaxed);
+    const bool waits = answered != question;
     silent_ = waits && answered != LoopChannel::kNotStarted && now - asked_ >= kPatience;
     if (waits || now - asked_ < kPeriod) return;
     asked_ = now;
-    channel_.question.store(++question_, std::memory_order_relaxed);
+    channel_.question.store(question + 1, std::memory_order_relaxed);
     bus.send_event();
   }
 
@@ -73,7 +74,6 @@ class Core1Watch {
 
  private:
   LoopChannel& channel_;
-  std::uint32_t question_ = LoopChannel::kFirstQuestion;
   Ticks asked_{};
   bool silent_ = false;
 };
