@@ -14,6 +14,7 @@
 #include "cosim/serial/silent_peer.hpp"
 #include "cosim/text/text_file.hpp"
 #include "tests/cosim/live/live_page.hpp"
+#include "tests/cosim/support/temp_folder.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -79,7 +80,8 @@ std::string digest_of_repeated(const std::vector<std::string>& overrides, const 
 }
 
 TEST(LiveCell, WhatWasClickedHappensAgainInTheRunThatRepeatsTheSession) {
-  const std::filesystem::path file = testing::TempDir() + "live_cell_serial.csv";
+  const test::TempFolder folder;
+  const std::filesystem::path file = folder.path() / "serial.csv";
   std::string digest;
   std::vector<std::string> overrides;
   Cycles end{};

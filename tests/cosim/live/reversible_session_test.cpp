@@ -11,6 +11,7 @@
 
 #include "cosim/text/text_file.hpp"
 #include "tests/cosim/live/live_page.hpp"
+#include "tests/cosim/support/temp_folder.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -24,8 +25,8 @@ std::string text_of(const std::filesystem::path& file) {
   return read_text_file(file, 1 << 24);
 }
 
-SessionFiles files_of(const std::string& name) {
-  return {.serial = testing::TempDir() + name + "_serial.csv", .log = testing::TempDir() + name + "_log.txt"};
+SessionFiles files_in(const test::TempFolder& folder) {
+  return {.serial = folder.path() / "serial.csv", .log = folder.path() / "log.txt"};
 }
 
 // What the page shows, without what depends on where the end is.
@@ -89,7 +90,8 @@ TEST(ReversibleSession, TimeStandsStillAndNothingIsCommandedWhileThePastIsShown)
 
 // The same as a session that did the same without going back: what came after the moment has left no trace.
 TEST(ReversibleSession, GoingOnFromAMomentIsABranchWithoutWhatCameAfterIt) {
-  const SessionFiles files = files_of("branch"), direct_files = files_of("direct");
+  const test::TempFolder folder, direct_folder;
+  const SessionFiles files = files_in(folder), direct_files = files_in(direct_folder);
   const auto go_on = [](LivePage& page) {
     page.ask(R"({"do":"input","pin":4})");
     page.hold_jog("3");

@@ -3,10 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <variant>
 #include <vector>
+
+#include "tests/cosim/support/temp_folder.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -16,13 +17,11 @@ namespace fs = std::filesystem;
 class PointsFile : public testing::Test {
  protected:
   PointsFile() {
-    fs::create_directories(folder_);
-    scenario_.file = (folder_ / "scenario.toml").string();
+    scenario_.file = (folder_.path() / "scenario.toml").string();
     scenario_.moves.push_back({.kind = PolylineSpec{.points_file = "points.csv"}, .line = 7, .index = 2});
   }
-  ~PointsFile() override { fs::remove_all(folder_); }
 
-  void write(const std::string& text) const { std::ofstream{folder_ / "points.csv"} << text; }
+  void write(const std::string& text) const { folder_.write("points.csv", text); }
   [[nodiscard]] std::string problems() {
     std::vector<Problem> all;
     load_points(scenario_, all);
@@ -34,7 +33,7 @@ class PointsFile : public testing::Test {
     return std::get<PolylineSpec>(scenario_.moves[0].kind).points_mm;
   }
 
-  fs::path folder_ = fs::path{testing::TempDir()} / "armature_points_file_test";
+  test::TempFolder folder_;
   Scenario scenario_;
 };
 

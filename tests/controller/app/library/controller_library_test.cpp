@@ -2,6 +2,7 @@
 // library run at the same time and report, byte for byte, what the linked controller reports.
 #include <dlfcn.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <array>
 #include <cstdint>
@@ -49,7 +50,8 @@ BusFunctions functions_of(RegisterBus& bus) {
 // A copy of the library with a controller. Files of two names are two libraries for the loader, even if they are equal.
 class Copy {
  public:
-  explicit Copy(const std::string& name) : file_{fs::path{testing::TempDir()} / (name + ".so")} {
+  explicit Copy(const std::string& name)
+      : file_{fs::path{testing::TempDir()} / (name + std::to_string(getpid()) + ".so")} {
     fs::copy_file(CONTROLLER_LIBRARY, file_, fs::copy_options::overwrite_existing);
     library_ = dlopen(file_.c_str(), RTLD_NOW | RTLD_LOCAL);
     EXPECT_NE(library_, nullptr) << dlerror();
