@@ -5,6 +5,7 @@
 // response or a time-out ends the run or stops the core, so callers need no error handling.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "controller/base/units.hpp"
@@ -38,12 +39,15 @@ enum class Interrupts : std::uint32_t {
 enum class Work : std::uint8_t {
   kInterruptEntry,  // latency from the interrupt line to the first instruction of the handler
   kTick,            // one tick: conversions, sampler, quantizer, feedback
-  kPlan,            // one joint-space plan
-  kRetarget,        // one joint-space plan from a state of motion: in a tick, or for one trial of a corner
+  kPlan,            // one joint-space plan, or the begin of a path
+  kRetarget,        // one joint-space plan from a state of motion: in a tick, or for one trial of a corner with a path
+  kCorner,          // one trial of a corner between joint moves: a plan, and how near it passes the corner
+  kWindow,          // the begin of a further part of a path that is executed
   kInverse,         // one inverse kinematics on a path: in a tick, or for one sample of a plan's check
   kProgramStep,     // one step of a program: a line, or a part of it
   kNetwork,         // one run of the network that corrects a belt, in a tick
 };
+inline constexpr std::size_t kWorks = static_cast<std::size_t>(Work::kNetwork) + 1;
 
 class RegisterBus {
  public:

@@ -1,6 +1,8 @@
 // [cpu]: what the work of the controller costs on a simulated ARM core.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -26,39 +28,31 @@ struct CpuSpec {
   std::optional<double> cpi;                       // of kA9: clocks for each instruction; none: the costs below
   std::int64_t interrupt_entry_cycles = 100;       // 2 us; 9 are instructions
   std::int64_t tick_compute_cycles = 350;          // 7 us; 399
-  std::int64_t plan_compute_cycles = 850;          // 17 us; 419, without windows and corners of joint moves
+  std::int64_t plan_compute_cycles = 850;          // 17 us; 419
   std::int64_t retarget_compute_cycles = 720;      // 14.4 us; 728: a joint plan from a state of motion
+  std::int64_t corner_compute_cycles = 7700;       // 154 us: a trial of a corner between joint moves
+  std::int64_t window_compute_cycles = 10'700;     // 214 us: the begin of a further part of a path
   std::int64_t inverse_compute_cycles = 350;       // 7 us; 351: a set-point of a path, or a pose of its plan
   std::int64_t program_step_compute_cycles = 200;  // 4 us; 201: a line of a program, or a part of it
   std::int64_t network_compute_cycles = 850;       // 17 us; 819: the network of a belt, some 450 products of bytes
 };
 
+// The costs in the order of Work.
+inline constexpr std::array kCosts{
+    &CpuSpec::interrupt_entry_cycles,  &CpuSpec::tick_compute_cycles,         &CpuSpec::plan_compute_cycles,
+    &CpuSpec::retarget_compute_cycles, &CpuSpec::corner_compute_cycles,       &CpuSpec::window_compute_cycles,
+    &CpuSpec::inverse_compute_cycles,  &CpuSpec::program_step_compute_cycles, &CpuSpec::network_compute_cycles};
+static_assert(kCosts.size() == kWorks);
+
 // The costs of a core whose instructions are charged: none.
 [[nodiscard]] constexpr CpuSpec without_costs(CpuSpec spec) noexcept {
-  spec.interrupt_entry_cycles = spec.tick_compute_cycles = spec.plan_compute_cycles = spec.retarget_compute_cycles =
-      spec.inverse_compute_cycles = spec.program_step_compute_cycles = spec.network_compute_cycles = 0;
+  for (const auto cost : kCosts) spec.*cost = 0;
   return spec;
 }
 
 // Of one piece of work.
 [[nodiscard]] constexpr std::int64_t cycles_of(const CpuSpec& spec, Work work) noexcept {
-  switch (work) {
-    case Work::kInterruptEntry:
-      return spec.interrupt_entry_cycles;
-    case Work::kTick:
-      return spec.tick_compute_cycles;
-    case Work::kPlan:
-      return spec.plan_compute_cycles;
-    case Work::kRetarget:
-      return spec.retarget_compute_cycles;
-    case Work::kInverse:
-      return spec.inverse_compute_cycles;
-    case Work::kProgramStep:
-      return spec.program_step_compute_cycles;
-    case Work::kNetwork:
-      return spec.network_compute_cycles;
-  }
-  return 0;
+  return spec.*kCosts[static_cast<std::size_t>(work)];
 }
 
 }  // namespace armature::cosim

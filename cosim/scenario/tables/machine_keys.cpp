@@ -102,11 +102,14 @@ const KeyTable<CpuSpec>& cpu_keys() {
           key("tick_compute_cycles", &CpuSpec::tick_compute_cycles, between(0, kMaxCycles, "cycles"),
               "Time that core 0 needs to compute one tick, without the works below."),
           key("plan_compute_cycles", &CpuSpec::plan_compute_cycles, between(0, kMaxCycles, "cycles"),
-              "Time that core 1 needs to plan one joint move, to begin a path or a further part of it, or for one "
-              "trial of a corner between joint moves."),
+              "Time that core 1 needs to plan one joint move, or to begin a path."),
           key("retarget_compute_cycles", &CpuSpec::retarget_compute_cycles, between(0, kMaxCycles, "cycles"),
               "Time that a core needs to plan a joint motion that begins in motion. Core 0 plans over three ticks and "
               "needs this time in each. Core 1 needs it for a corner between a path and a joint move."),
+          key("corner_compute_cycles", &CpuSpec::corner_compute_cycles, between(0, kMaxCycles, "cycles"),
+              "Time that core 1 needs for one trial of a corner between joint moves. A corner takes up to 34."),
+          key("window_compute_cycles", &CpuSpec::window_compute_cycles, between(0, kMaxCycles, "cycles"),
+              "Time that core 1 needs to begin a further part of a path that core 0 executes."),
           // At least one: planning without simulated time could keep the host busy between two cycles.
           key("inverse_compute_cycles", &CpuSpec::inverse_compute_cycles, between(1, kMaxCycles, "cycles"),
               "Time for one pose of a path, with its inverse kinematics: that core 0 needs for a set-point, and core 1 "

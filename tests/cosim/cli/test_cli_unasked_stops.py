@@ -12,7 +12,7 @@ STEP_MM = 0.3
 SPEED_MM_S = 100
 # With the default of 350 the tool draws some of the curves faster than core 1 plans.
 FAST = "[cpu]\ninverse_compute_cycles = 150\n"
-SLOW = "[cpu]\nplan_compute_cycles = 5000000  # 0.1 s for each window, on core 1\n"
+SLOW = "[cpu]\nwindow_compute_cycles = 5000000  # 0.1 s for each window, on core 1\n"
 LONGER = ("--set", "duration_s=1.1")
 SEED = 20261127
 # Each takes 16 s. tests/controller/app/smooth_curves_test.cpp draws a hundred, without the program around them.

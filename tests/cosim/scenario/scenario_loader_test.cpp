@@ -28,8 +28,12 @@ solver = "cordic"
 interrupt_entry_cycles = 1
 tick_compute_cycles = 2
 plan_compute_cycles = 3
-inverse_compute_cycles = 8
-program_step_compute_cycles = 9
+retarget_compute_cycles = 4
+corner_compute_cycles = 5
+window_compute_cycles = 6
+inverse_compute_cycles = 7
+program_step_compute_cycles = 8
+network_compute_cycles = 9
 [bus]
 latency_cycles = 4
 timeout_cycles = 500
@@ -77,9 +81,11 @@ TEST(ScenarioLoader, ReadsEveryTableButMovesToPosesAndExpectations) {
   EXPECT_EQ(s.seed, 42u);
   EXPECT_EQ(s.controller.sync, "time_scale");
   EXPECT_FALSE(s.controller.feedback);
-  EXPECT_EQ(s.cpu.interrupt_entry_cycles, 1);
-  EXPECT_EQ(s.cpu.tick_compute_cycles, 2);
-  EXPECT_EQ(s.cpu.plan_compute_cycles, 3);
+  const std::vector works{Work::kInterruptEntry, Work::kTick,    Work::kPlan,        Work::kRetarget, Work::kCorner,
+                          Work::kWindow,         Work::kInverse, Work::kProgramStep, Work::kNetwork};
+  ASSERT_EQ(works.size(), kWorks);
+  for (std::size_t i = 0; i < kWorks; ++i)
+    EXPECT_EQ(cycles_of(s.cpu, works[i]), static_cast<std::int64_t>(i + 1)) << "work " << i;
   EXPECT_EQ(s.bus.latency_cycles, 4);
   EXPECT_EQ(s.bus.timeout_cycles, 500);
   EXPECT_EQ(s.bus.stall_probability, 0.25);
@@ -87,15 +93,13 @@ TEST(ScenarioLoader, ReadsEveryTableButMovesToPosesAndExpectations) {
   EXPECT_EQ(s.trace.tcp, false);
   EXPECT_EQ(s.controller.max_stretch, 50);
   EXPECT_EQ(s.kinematics.solver, SetPointSolver::kCordic);
-  EXPECT_EQ(s.cpu.inverse_compute_cycles, 8);
-  EXPECT_EQ(s.cpu.program_step_compute_cycles, 9);
 
   ASSERT_EQ(s.moves.size(), 3u);
   const auto& joint = std::get<JointSpec>(s.moves[0].kind);
   EXPECT_EQ(s.moves[0].at_s, 0.5);
   EXPECT_THAT(joint.target_deg.value(), ElementsAre(1, -2, 3.5, 4, 5, 6));
   EXPECT_EQ(joint.speed_percent, 50);
-  EXPECT_EQ(s.moves[0].line, 28);
+  EXPECT_EQ(s.moves[0].line, 32);
   EXPECT_TRUE(std::holds_alternative<StopSpec>(s.moves[1].kind));
   EXPECT_TRUE(std::holds_alternative<ClearFaultSpec>(s.moves[2].kind));
 

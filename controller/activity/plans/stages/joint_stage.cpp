@@ -29,7 +29,7 @@ void JointStage::send_alone(const JointMove& move, RegisterBus& bus, double resi
 bool JointStage::plan(const JointMove& move, RegisterBus& bus) noexcept {
   const JointRequest request{.target = move.target, .speed = move.speed, .accel = move.accel, .kind = move.profile};
   const PerAxis<Radians>& from = context_.owner.end();
-  int plans = 1;
+  bool planned = true;
   if (empty()) {
     start_ = from;
     const auto rest = [&](std::size_t axis) { return AxisState{.position = from[axis].value()}; };
@@ -37,15 +37,17 @@ bool JointStage::plan(const JointMove& move, RegisterBus& bus) noexcept {
         plan_retarget(context_.robot, make_per_axis(rest), request.target, request.speed, request.kind, request.accel);
     if (chain_.duration > kLongestMove) {
       clear();
-      plans = 0;
+      planned = false;
     }
+    bus.charge(Work::kPlan);
   } else {
     const double ways_rad = std::min(largest_difference(via_, from), largest_difference(from, move.target));
     blend_rad_ = std::max(last_.blend.rad, 0.5 * last_.blend.share * ways_rad);
-    plans = append(chain_, context_.robot, request, blend_rad_);
+    const int trials = append(chain_, context_.robot, request, blend_rad_);
+    planned = trials > 0;
+    bus.charge(Work::kCorner, std::max(trials, 1));
   }
-  bus.charge(Work::kPlan, std::max(plans, 1));
-  return plans > 0;
+  return planned;
 }
 
 void JointStage::begin(const Departure& departure) noexcept {

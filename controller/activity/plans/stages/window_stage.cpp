@@ -113,7 +113,7 @@ bool WindowStage::start_planning(RegisterBus& bus) noexcept {
     close_at_stop();
     return true;
   }
-  bus.charge(Work::kPlan);
+  bus.charge(Work::kWindow);
   return true;
 }
 

@@ -39,6 +39,8 @@ def put_machine(draft):
     draft.maybe("tick_compute_cycles", lambda: draft.integer(0, 4000), 0.3)
     draft.maybe("plan_compute_cycles", lambda: draft.integer(0, 100_000), 0.3)
     draft.maybe("retarget_compute_cycles", lambda: draft.integer(0, 4000), 0.2)
+    draft.maybe("corner_compute_cycles", lambda: draft.integer(0, 40_000), 0.2)
+    draft.maybe("window_compute_cycles", lambda: draft.integer(0, 100_000), 0.3)
     draft.maybe("inverse_compute_cycles", lambda: draft.integer(1, 500), 0.5)
     draft.maybe("program_step_compute_cycles", lambda: draft.integer(1, 2000), 0.2)
     with draft.aside():
