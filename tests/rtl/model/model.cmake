@@ -38,8 +38,19 @@ target_link_libraries(model_mutants_whole_ticks PRIVATE armature_cosim GTest::gm
 target_include_directories(model_mutants_whole_ticks SYSTEM PRIVATE $<TARGET_PROPERTY:model_arm_soc,INTERFACE_INCLUDE_DIRECTORIES>)
 target_compile_options(model_mutants_whole_ticks PRIVATE ${test_options} -Wno-shadow -Wno-parentheses)
 target_link_options(model_mutants_whole_ticks PRIVATE -Wl,--allow-multiple-definition)
+# What it finds depends on when the controller accesses the logic, so on all sources of the simulation.
+set(simulation_sources "")
+foreach(library armature_controller_input armature_controller armature_input armature_loop armature_cosim)
+  get_target_property(library_sources ${library} SOURCES)
+  get_target_property(folder ${library} SOURCE_DIR)
+  list(FILTER library_sources EXCLUDE REGEX "^\\$<|^${PROJECT_BINARY_DIR}")
+  list(TRANSFORM library_sources REPLACE "^([^/].*)" "${folder}/\\1")
+  list(APPEND simulation_sources ${library_sources})
+endforeach()
+file(GLOB rtl_headers CONFIGURE_DEPENDS ${ARMATURE_ROOT}/rtl/common/*.svh)
 describe_gate(model_mutants.whole_ticks TARGETS model_mutants_whole_ticks PACKAGES python3.11
-  INPUTS ${CMAKE_CURRENT_LIST_DIR}/mutants.toml ${CMAKE_CURRENT_LIST_DIR}/weave.py
+  INCLUDES ${whole_ticks_test} ${simulation_sources}
+  INPUTS ${CMAKE_CURRENT_LIST_DIR}/mutants.toml ${CMAKE_CURRENT_LIST_DIR}/weave.py ${ARMATURE_RTL_SOURCES} ${rtl_headers}
          ${ARMATURE_ROOT}/tests/mutants/expect_killed.py)
 
 # add_model_mutant(<name> <number> <block> <GoogleTest filter>): passes if lock-step finds the mutant.
