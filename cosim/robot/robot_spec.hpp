@@ -114,6 +114,12 @@ struct BodySpec {
   std::array<double, 6> inertia_kg_m2{};  // xx yy zz xy xz yz, about the centre of mass
 };
 
+// [meshes]: STL files with the shapes of the parts, for pictures of the arm. After loading, a name is a path.
+struct MeshesSpec {
+  std::string base;                // of the part that does not move; empty: none
+  std::vector<std::string> links;  // of the part that each joint moves; empty: none
+};
+
 inline constexpr std::string_view kServoPlant = "servo";
 inline constexpr std::string_view kIdealPlant = "ideal";
 inline constexpr std::string_view kDynamicPlant = "dynamic";
@@ -138,7 +144,9 @@ struct RobotSpec {
   std::vector<BodySpec> links;                             // of plant = "dynamic": one for each joint
   BodySpec tool, payload;                                  // mass 0: none
   std::array<double, 3> gravity_m_s2{0.0, 0.0, -9.80665};  // in the frame of the base
+  MeshesSpec meshes;
   InputFile source;
+  std::vector<InputFile> mesh_files;  // each once
 };
 
 }  // namespace armature::cosim

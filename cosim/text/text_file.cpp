@@ -52,6 +52,34 @@ class NewFile {
   std::filesystem::path path_;
 };
 
+std::ifstream opened(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored)) throw InputError{file.string(), "is a folder, expected a file"};
+  errno = 0;
+  std::ifstream stream{file, std::ios::binary};
+  if (!stream) throw InputError{file.string(), std::string{"cannot open: "} + std::strerror(errno)};
+  return stream;
+}
+
+// Gives each part of a stream that was read to check(), with the place where it begins in what was read.
+template <class Check>
+std::string read_parts(std::istream& stream, const std::string& name, std::size_t most_bytes, const Check& check) {
+  constexpr std::size_t kChunk = std::size_t{64} * 1024;
+  std::string text;
+  while (stream) {
+    const std::size_t before = text.size();
+    text.resize(before + kChunk);
+    stream.read(text.data() + before, kChunk);
+    text.resize(before + static_cast<std::size_t>(stream.gcount()));
+    check(text, before);
+    if (text.size() > most_bytes) {
+      throw InputError{name, "is too large, expected at most " + std::to_string(most_bytes >> 20U) + " MiB"};
+    }
+  }
+  if (stream.bad()) throw InputError{name, "cannot read"};
+  return text;
+}
+
 }  // namespace
 
 bool is_file(const std::filesystem::path& path) {
@@ -86,12 +114,13 @@ void require_regular_file(const std::filesystem::path& file) {
 }
 
 std::string read_text_file(const std::filesystem::path& file, std::size_t most_bytes) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(file, ignored)) throw InputError{file.string(), "is a folder, expected a file"};
-  errno = 0;
-  std::ifstream stream{file, std::ios::binary};
-  if (!stream) throw InputError{file.string(), std::string{"cannot open: "} + std::strerror(errno)};
+  std::ifstream stream = opened(file);
   return read_text(stream, file.string(), most_bytes);
+}
+
+std::string read_binary_file(const std::filesystem::path& file, std::size_t most_bytes) {
+  std::ifstream stream = opened(file);
+  return read_parts(stream, file.string(), most_bytes, [](const std::string&, std::size_t) {});
 }
 
 std::string read_ascii_file(const std::filesystem::path& file, std::size_t most_bytes) {
@@ -105,13 +134,7 @@ std::string read_ascii_file(const std::filesystem::path& file, std::size_t most_
 }
 
 std::string read_text(std::istream& stream, const std::string& name, std::size_t most_bytes) {
-  constexpr std::size_t kChunk = std::size_t{64} * 1024;
-  std::string text;
-  while (stream) {
-    const std::size_t before = text.size();
-    text.resize(before + kChunk);
-    stream.read(text.data() + before, kChunk);
-    text.resize(before + static_cast<std::size_t>(stream.gcount()));
+  return read_parts(stream, name, most_bytes, [&](const std::string& text, std::size_t before) {
     if (const std::string_view encoding = foreign_encoding(text); !encoding.empty()) {
       throw InputError{name, "is " + std::string{encoding} + " text, expected UTF-8"};
     }
@@ -119,12 +142,7 @@ std::string read_text(std::istream& stream, const std::string& name, std::size_t
       const auto line = static_cast<int>(1 + std::count(text.data(), text.data() + nul, '\n'));
       throw InputError{Problem{name, Origin{line, 0, {}}, {}, "holds a NUL byte, expected UTF-8 text"}};
     }
-    if (text.size() > most_bytes) {
-      throw InputError{name, "is too large, expected at most " + std::to_string(most_bytes >> 20U) + " MiB"};
-    }
-  }
-  if (stream.bad()) throw InputError{name, "cannot read"};
-  return text;
+  });
 }
 
 void require_writable(const std::filesystem::path& file) {

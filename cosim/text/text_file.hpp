@@ -26,7 +26,9 @@ void require_regular_file(const std::filesystem::path& file);
 // another encoding, a NUL byte. It stops reading at the limit.
 [[nodiscard]] std::string read_text_file(const std::filesystem::path& file,
                                          std::size_t most_bytes = static_cast<std::size_t>(-1));
-// The same for a text that must be ASCII; the error names the line of a character that is not.
+// The bytes of a file, whatever they are. Throws InputError when it cannot be read or has more than `most_bytes`.
+[[nodiscard]] std::string read_binary_file(const std::filesystem::path& file, std::size_t most_bytes);
+// A text that must be ASCII; the error names the line of a character that is not.
 [[nodiscard]] std::string read_ascii_file(const std::filesystem::path& file, std::size_t most_bytes);
 // The text of a stream, as read_text_file() reads it; `name` is for messages.
 [[nodiscard]] std::string read_text(std::istream& stream, const std::string& name, std::size_t most_bytes);

@@ -91,6 +91,7 @@ COSIM = {
     "net": {"text"},
     "dynamics": set(),
     "robot": {"text"},
+    "mesh": {"text"},
     "poses": {"text"},
     "programs": {"text", "poses"},
     "fabric": {"time", "logic"},
@@ -109,7 +110,20 @@ COSIM = {
     "console": {"logic", "bus", "soc", "engine", "cpu", "serial"},
     "trace": {"time", "text"},
     "waves": {"time", "text"},
-    "scenario": {"text", "poses", "logic", "robot", "belt", "programs", "bus", "cpu", "fault", "serial", "pendant"},
+    "scenario": {
+        "text",
+        "mesh",
+        "poses",
+        "logic",
+        "robot",
+        "belt",
+        "programs",
+        "bus",
+        "cpu",
+        "fault",
+        "serial",
+        "pendant",
+    },
     "golden": {"time", "text", "trace", "scenario"},
     "schema": {"text", "robot", "scenario"},
     "keydoc": {"text", "scenario", "schema", "report"},
@@ -117,7 +131,7 @@ COSIM = {
     "recording": {"text", "trace"},
     "plot": {"text", "recording"},
     "exports": {"text", "trace", "recording"},
-    "page": {"text", "trace", "recording", "report"},
+    "page": {"text", "mesh", "trace", "recording", "report"},
     "kernel": {
         "time",
         "text",
@@ -143,7 +157,8 @@ COSIM = {
     "serve": {"text", "net", "logic", "soc"},
 }
 COSIM["rewind"] = COSIM["run"] | {"run", "logic", "snapshot"}
-COSIM["live"] = COSIM["run"] | {"run", "robot", "programs", "poses", "logic", "fault", "pendant", "page", "snapshot"}
+COSIM["live"] = COSIM["run"] | {"run", "robot", "mesh", "programs", "poses", "logic", "fault", "pendant", "page"}
+COSIM["live"] |= {"snapshot"}
 COSIM["steer"] = COSIM["run"] | {"run"}
 COSIM["python"] = COSIM["steer"] | {"steer"}
 COSIM["cli"] = COSIM.keys() - {

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <string_view>
 
 #include "cosim/scenario/files/axis_checks.hpp"
+#include "cosim/scenario/files/mesh_files.hpp"
 #include "cosim/scenario/tables/tables.hpp"
 #include "cosim/scenario/toml/table_reader.hpp"
 #include "cosim/scenario/toml/toml_document.hpp"
@@ -131,6 +133,11 @@ RobotSpec load_robot(const std::filesystem::path& file, std::vector<Problem>& al
   if (wrong_defaults == 0) check_axes(root, good, problems);
   check_axis_count(reader, robot, count);
   read_bodies(reader, context, bare, index, robot);
+  std::vector<Problem> mesh_problems;
+  reader.table("meshes", [&](TableReader& table) {
+    meshes_keys().read(table, context, robot.meshes);
+    load_meshes(table, file.parent_path(), robot, mesh_problems);
+  });
   for (std::size_t i = robot.axis_count; i < kAxes; ++i) robot.axes[i] = robot.axes[robot.axis_count - 1];
   const std::string stem = file.stem().string();
   if (!robot.name.empty() && robot.name != stem) {
@@ -138,6 +145,7 @@ RobotSpec load_robot(const std::filesystem::path& file, std::vector<Problem>& al
   }
   reader.finish();
   problems.move_to(all);
+  std::move(mesh_problems.begin(), mesh_problems.end(), std::back_inserter(all));
   return robot;
 }
 

@@ -135,6 +135,7 @@ Scenario load_scenario(const fs::path& where, const LoadOptions& options) {
   if (all.empty()) load_pendant_programs(scenario, all);
   if (!all.empty()) throw InputError{std::move(all)};
   scenario.sources.push_back(scenario.robot.source);
+  scenario.sources.insert(scenario.sources.end(), scenario.robot.mesh_files.begin(), scenario.robot.mesh_files.end());
   return scenario;
 }
 

@@ -74,7 +74,7 @@ std::string check_step_time(const PendantStepSpec& step, const KeyContext& conte
 }  // namespace
 
 const KeyTable<PendantStepSpec>& pendant_step_keys() {
-  constexpr double kLargestPayload = 134'217'727, kMaxMs = 600'000;
+  constexpr double kLargestPayload = 134'217'727, kLongestMs = 600'000;
   static const std::string kDefaultTimes = fmt::format("{}; with `do` = `download` {}", kWithinMs, kDownloadWithinMs);
   static const Condition kSend = when("do", {"send"}), kJog = when("do", {"jog"}), kMove = when("do", {"move"}),
                          kDownload = when("do", {"download"}), kReadMessage = when("do", {"read_message"});
@@ -165,7 +165,7 @@ const KeyTable<PendantStepSpec>& pendant_step_keys() {
           key("reply", &PendantStepSpec::reply, one_of(pendant::kStatusNames),
               "Expected status of the reply. A move and a download are several commands: the status of the last one.")
               .only(unless("do", {"wait", "read_message"})),
-          key("within_ms", &PendantStepSpec::within_ms, above(0, kMaxMs, "ms"),
+          key("within_ms", &PendantStepSpec::within_ms, above(0, kLongestMs, "ms"),
               "Longest time from the beginning of the step to the reply, the state or the message.")
               .without(kDefaultTimes),
       }};

@@ -8,6 +8,7 @@
 #include "controller/base/timebase.hpp"
 #include "controller/regs/encoder_regs.hpp"
 #include "controller/regs/pulse_train_regs.hpp"
+#include "cosim/mesh/stl_file.hpp"
 #include "cosim/scenario/tables/tables.hpp"
 #include "cosim/text/number_text.hpp"
 
@@ -158,6 +159,24 @@ const KeyTable<RobotSpec>& robot_keys() {
   return kTable;
 }
 
+const KeyTable<MeshesSpec>& meshes_keys() {
+  static const std::string kText = fmt::format(
+      "Shapes of the parts of the arm, for the report and `armature live`. They do not change a run. Each is an STL "
+      "file, text or binary, with at most {} triangles. Its numbers are mm in the frame of the base, while all joint "
+      "angles are 0: a CAD program writes it so when the whole arm stands in this pose. Names are relative to the "
+      "folder of the robot file. The arm needs `[kinematics]`. A part without a file is drawn as a simple body.",
+      kMaxMeshTriangles);
+  static const KeyTable<MeshesSpec> kTable{
+      .text = kText,
+      .keys = {
+          key("base", &MeshesSpec::base, anything(), "File of the part that does not move.").without("none"),
+          key("links", &MeshesSpec::links, anything(),
+              "One file for each joint, of the part that this joint moves. An empty text means none.")
+              .without("none"),
+      }};
+  return kTable;
+}
+
 TableInfo robot_file() {
   TableInfo file = robot_keys().info();
   TableInfo kinematics = kinematics_keys().info();
@@ -184,7 +203,9 @@ TableInfo robot_file() {
   TableInfo payload = tool;
   payload.name = "payload";
   payload.text = "What the tool carries, likewise.";
-  file.tables = {kinematics, defaults, axis, link, tool, payload};
+  TableInfo meshes = meshes_keys().info();
+  meshes.name = "meshes";
+  file.tables = {kinematics, defaults, axis, link, tool, payload, meshes};
   return file;
 }
 

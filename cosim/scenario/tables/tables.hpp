@@ -40,6 +40,7 @@ namespace armature::cosim {
 [[nodiscard]] const KeyTable<AxisSpec>& axis_keys();
 [[nodiscard]] const KeyTable<DynamicsSpec>& dynamics_keys();
 [[nodiscard]] const KeyTable<BodySpec>& body_keys();
+[[nodiscard]] const KeyTable<MeshesSpec>& meshes_keys();
 
 // Both kinds of files, for documents and schemas.
 [[nodiscard]] TableInfo scenario_file();

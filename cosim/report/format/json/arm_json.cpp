@@ -36,10 +36,12 @@ Json arm_json(const RobotSpec& robot, const PoseSpec& tool) {
                     {"following_error_deg", axis.following_error_deg}});
   }
   const bool known = robot.kinematics.has_value();
-  return {{"axes", std::move(axes)},
-          {"memory_ticks", memory_ticks(robot)},
-          {"links", known ? links_json(*robot.kinematics) : Json(nullptr)},
-          {"tool", known ? Json{{"xyz_mm", tool.xyz_mm}, {"rpy_deg", tool.rpy_deg}} : Json(nullptr)}};
+  Json arm = {{"axes", std::move(axes)},
+              {"memory_ticks", memory_ticks(robot)},
+              {"links", known ? links_json(*robot.kinematics) : Json(nullptr)},
+              {"tool", known ? Json{{"xyz_mm", tool.xyz_mm}, {"rpy_deg", tool.rpy_deg}} : Json(nullptr)}};
+  if (!robot.mesh_files.empty()) arm["meshes"] = {{"base", robot.meshes.base}, {"links", robot.meshes.links}};
+  return arm;
 }
 
 Json frames_json(const std::vector<FrameSpec>& frames) {
