@@ -13,8 +13,11 @@
 #include "controller/base/angle_units.hpp"
 #include "controller/message/fault.hpp"
 #include "cosim/live/live_faults.hpp"
+#include "cosim/mesh/stl_file.hpp"
+#include "cosim/page/arm_meshes.hpp"
 #include "cosim/report/format/json/arm_json.hpp"
 #include "cosim/text/names.hpp"
+#include "cosim/text/text_file.hpp"
 #include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
@@ -100,6 +103,10 @@ Json lamps_json(const SimulationState& state) {
           {"inputs", state.inputs.gpio}};
 }
 
+RecordedInput read_mesh(const std::string& file) {
+  return {.content = read_binary_file(file, kMaxMeshBytes)};
+}
+
 }  // namespace
 
 Json live_scenario(const Scenario& scenario) {
@@ -114,11 +121,13 @@ Json live_scenario(const Scenario& scenario) {
       if (step.act == PendantAct::kDownload) add(step.file, step.text);
     }
   }
+  const Json arm = arm_json(scenario.robot, scenario.tool);
   return {{"scenario", scenario.name},
           {"description", scenario.description},
           {"robot", scenario.robot_name},
           {"family", scenario.robot.kinematics ? Json(scenario.robot.kinematics->family) : Json(nullptr)},
-          {"arm", arm_json(scenario.robot, scenario.tool)},
+          {"arm", arm},
+          {"meshes", arm_meshes(arm.value("meshes", Json(nullptr)), read_mesh)},
           {"programs", std::move(programs)},
           {"faults", fault_kinds_json(scenario.robot)}};
 }

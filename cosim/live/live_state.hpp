@@ -14,7 +14,7 @@
 namespace armature::cosim {
 
 // The scenario, the arm with its limits and links, and the programs that the page can load at once:
-// {"scenario", "description", "robot", "family", "arm", "programs": [{"name", "text"}], "faults"}
+// {"scenario", "description", "robot", "family", "arm", "meshes", "programs": [{"name", "text"}], "faults"}
 [[nodiscard]] Json live_scenario(const Scenario& scenario);
 
 struct LiveView {

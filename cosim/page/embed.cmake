@@ -4,7 +4,7 @@ set(page_web ${CMAKE_CURRENT_LIST_DIR}/web)
 # Order matters: a file uses what stands before it.
 set(page_scripts
   dom colors decode decimate kinematics run timeline address path_error plots lanes
-  frames arm tool_path program_text header tables time_bar keys reload main)
+  frames meshes arm tool_path program_text header tables time_bar keys reload main)
 list(TRANSFORM page_scripts REPLACE "(.+)" "${page_web}/\\1.js")
 
 find_path(dygraphs_js dygraph.min.js PATHS /usr/share/javascript/dygraphs NO_DEFAULT_PATH REQUIRED)
@@ -62,8 +62,8 @@ endfunction()
 # the report.
 set(live_web ${PROJECT_SOURCE_DIR}/cosim/live/web)
 set(live_scripts
-  ${page_web}/dom.js ${page_web}/colors.js ${page_web}/kinematics.js ${page_web}/frames.js
-  ${page_web}/arm.js)
+  ${page_web}/dom.js ${page_web}/colors.js ${page_web}/decode.js ${page_web}/kinematics.js ${page_web}/frames.js
+  ${page_web}/meshes.js ${page_web}/arm.js)
 foreach(file IN ITEMS connection live_arm live_plots lamps jog drive program hand faults past status live_main)
   list(APPEND live_scripts ${live_web}/${file}.js)
 endforeach()

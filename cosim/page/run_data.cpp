@@ -4,7 +4,8 @@
 #include <array>
 #include <string_view>
 
-#include "cosim/page/column_code.hpp"
+#include "cosim/page/arm_meshes.hpp"
+#include "cosim/page/column_json.hpp"
 #include "cosim/page/path_error.hpp"
 #include "cosim/text/json.hpp"
 
@@ -21,15 +22,6 @@ bool is_shown(const NumberColumn& column) {
 
 bool has_number_in_every_row(const NumberColumn& column) {
   return std::ranges::find(column.values, NumberColumn::kNone) == column.values.end();
-}
-
-Json column_json(const std::string& name, int digits, const std::vector<std::int64_t>& values) {
-  ColumnCode code = column_code(values);
-  return {{"name", name},
-          {"digits", digits},
-          {"rows", values.size()},
-          {"order", code.order},
-          {"data", std::move(code.text)}};
 }
 
 Json trace_json(const TraceTable& trace) {
@@ -56,6 +48,7 @@ Json run_data(const RunRecord& run, const PageParts& parts) {
   Json data = {{"summary", run.summary}, {"trace", trace_json(run.trace)}};
   data["summary"].erase("host");  // the page has the same bytes on every machine
   data["errors"] = errors_json(run);
+  data["meshes"] = recorded_meshes(run.summary);
   Json bytes = Json::array();
   for (const SerialRecord& one : parts.serial) {
     bytes.push_back({{"time", one.time_s}, {"direction", one.direction}, {"text", one.text}, {"error", one.error}});

@@ -5,9 +5,10 @@ const kShadowColor = 0xe16f24;
 const kGhostColor = 0x8c959f;
 
 class LiveArm extends ArmView {
-  constructor(parent, arm) {
+  // `meshes`: as cosim/page/arm_meshes.cpp writes them.
+  constructor(parent, arm, meshes) {
     const kinematics = arm.links ? new Kinematics(arm) : null;
-    super(parent, { kinematics, summary: { arm, result: { moves: [] } } }, { listen() {} });
+    super(parent, { kinematics, meshes, summary: { arm, result: { moves: [] } } }, { listen() {} });
     if (!this.renderer) return;
     this.count = arm.axes.length;
     this.shadow = new ShadowArm(this, kShadowColor, 0.45);

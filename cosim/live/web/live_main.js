@@ -14,7 +14,7 @@ function showLive() {
     const [left, right] = [0, 1].map(() => element(place('pendant'), 'div', 'column'));
     status.title.textContent = hello.scenario;
     status.title.title = hello.description;
-    const arm = new LiveArm(place('view'), hello.arm);
+    const arm = new LiveArm(place('view'), hello.arm, hello.meshes);
     const past = new Past(place('view'), connection);
     const plots = new LivePlots(place('view'), count);
     const lamps = new Lamps(place('view'), count, connection);

@@ -82,6 +82,11 @@ class ArmView {
     const lengths = this.run.kinematics.links.map((link) => Math.hypot(link.a_mm, link.d_mm) / kMmPerUnit);
     this.reach = lengths.reduce((sum, size) => sum + size, 0);
     this.thickness = this.reach * 0.028;
+    this.meshes = new ArmMeshes(this.run.meshes, this.run.kinematics);
+    if (this.meshes.problem) element(this.box, 'p').textContent = this.meshes.problem;
+    this.base = new THREE.Group();
+    if (this.meshes.base) addMesh(this.base, this.meshes.base, kBaseColor);
+    this.scene.add(this.base);
     this.links = this.run.kinematics.links.map((link, i) => this.addLink(link, i));
     this.links.push(this.addTool());
     this.target = new THREE.Mesh(
@@ -122,9 +127,13 @@ class ArmView {
     const end = new THREE.Vector3(link.a_mm / kMmPerUnit, 0, corner.z);
     const radius = this.thickness * (1.15 - 0.11 * i);
     addJointAxis(group, radius * 4);
-    this.joint(group, radius);
-    this.bar(group, new THREE.Vector3(), corner, radius, kJointColors[i]);
-    this.bar(group, corner, end, radius * 0.8, kJointColors[i]);
+    if (this.meshes.links[i]) {
+      addMesh(group, this.meshes.links[i], kJointColors[i]);
+    } else {
+      this.joint(group, radius);
+      this.bar(group, new THREE.Vector3(), corner, radius, kJointColors[i]);
+      this.bar(group, corner, end, radius * 0.8, kJointColors[i]);
+    }
     this.scene.add(group);
     return group;
   }
@@ -163,7 +172,7 @@ class ArmView {
 
   // From the front and from above, at this distance.
   lookFrom(center, distance) {
-    this.links.forEach((group) => (group.visible = distance > this.reach / 4));  // nearer, it would hide the path
+    [this.base, ...this.links].forEach((group) => (group.visible = distance > this.reach / 4));  // nearer, it would hide the path
     this.controls.target.copy(center);
     this.camera.position.copy(center).addScaledVector(new THREE.Vector3(0.56, -0.73, 0.39), distance);
     this.target.scale.setScalar(distance / this.reach / 2);

@@ -56,6 +56,7 @@ class Run {
     this.serial = data.serial;
     this.errors = data.errors;
     this.programs = data.programs;
+    this.meshes = data.meshes;
     this.page = data.page;
     const columns = new Map(data.trace.columns.map((column) => [column.name, column]));
     const numbers = (name) => (columns.has(name) ? decodeColumn(columns.get(name)) : null);

@@ -11,7 +11,7 @@ TESTS = pathlib.Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(TESTS / "cli"), str(TESTS / "page")]
 
 import browser  # noqa: E402
-from cli_program import Program, main  # noqa: E402, F401
+from cli_program import SCENARIOS, Program, main  # noqa: E402, F401
 
 ADDRESS = re.compile(r"http://127\.0\.0\.1:(\d+)/([0-9a-f]{32})/\n$")
 READY = "document.body && document.body.dataset.ready === 'yes'"

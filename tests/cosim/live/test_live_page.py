@@ -2,7 +2,7 @@
 
 import json
 
-from live_program import LivePage, main
+from live_program import SCENARIOS, LivePage, main
 
 
 class Live(LivePage):
@@ -149,6 +149,25 @@ class Sliders(LivePage):
         self.slide("z", self.state("tool.xyz_mm")[2] + 10)
         z = self.page.run("Number(document.querySelector('[data-axis=\"z\"]').value)")
         self.until(f"live.state.state === 'ready' && Math.abs(live.state.tool.xyz_mm[2] - {z}) < 0.1")
+
+
+class Meshes(LivePage):
+    def test_the_parts_and_their_ghosts_have_the_shapes_of_the_files(self):
+        robot = (SCENARIOS / "robots/abb_irb120.toml").read_text()
+        links = ", ".join(['"part.stl"'] * 6)
+        (self.folder / "abb_irb120.toml").write_text(f'{robot}\n[meshes]\nbase = "part.stl"\nlinks = [{links}]\n')
+        corners = "".join(f"vertex {corner}\n" for corner in ("0 0 0", "50 0 0", "0 50 0"))
+        facet = f"facet normal 0 0 1\nouter loop\n{corners}endloop\nendfacet\n"
+        (self.folder / "part.stl").write_text(f"solid part\n{facet}endsolid part\n")
+        scenario = (SCENARIOS / "pendant_jog/scenario.toml").read_text()
+        (self.folder / "jog.toml").write_text(scenario.replace('"abb_irb120"', '"abb_irb120.toml"'))
+        self.open(self.live("jog.toml"))
+        parts = "[...live.arm.links.slice(0, 6), live.arm.base, ...live.arm.shadow.links.slice(0, 6)]"
+        counts = self.page.run(
+            f"{parts}.map(group => group.children.filter(child => child.isMesh).map(part => part.geometry.index.count))"
+        )
+        self.assertEqual(counts, [[3]] * 13)
+        self.assertEqual(self.page.problems(), [])
 
 
 if __name__ == "__main__":
