@@ -3,6 +3,7 @@
 import importlib.util
 import os
 import pathlib
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -15,6 +16,7 @@ import cpp_includes  # noqa: E402
 import ctest  # noqa: E402
 import recorded  # noqa: E402
 import same_bytes  # noqa: E402
+from build_reads import BuildReads  # noqa: E402
 from recorded import Gate  # noqa: E402
 from session import BUILD, Outcome, Row, Session, excess  # noqa: E402
 
@@ -156,9 +158,9 @@ class Records(unittest.TestCase):
 class Runs(unittest.TestCase):
     """tools/test runs gates, whose programs it has built; ctest is a fake."""
 
-    GATE = Gate("rtl.a", "a1", "tool1", ("a",))
+    GATE = Gate("rtl.a", "a1", "tool1", ("a",), frozenset({pathlib.Path("a.cpp"), pathlib.Path("a.sv")}))
 
-    def passes_of(self, tests, failed, changed=frozenset()):
+    def passes_of(self, tests, failed, changed=frozenset(), read=frozenset()):
         records = object.__new__(gates.Records)
         records.gates = [self.GATE]
         result = ctest.Result(1, len(failed), "", "", set(failed), {"old", "new"})
@@ -166,6 +168,7 @@ class Runs(unittest.TestCase):
             mock.patch.object(ctest, "run", lambda *_: result),
             mock.patch.object(ctest, "tests_of_gates", lambda _: tests),
             mock.patch.object(recorded, "changed_since", lambda *_: set(changed)),
+            mock.patch.object(gates.BuildReads, "files_of", lambda *_: {pathlib.Path("a.cpp"), *read}),
         ):
             return records._run([self.GATE])
 
@@ -176,6 +179,11 @@ class Runs(unittest.TestCase):
 
     def test_a_gate_that_was_edited_during_the_run_does_not_pass(self):
         self.assertEqual(self.passes_of({"rtl.a": {"old", "new"}}, [], changed=["rtl.a"])[1], [])
+
+    def test_a_gate_that_reads_a_file_without_saying_so_fails(self):
+        result, passes = self.passes_of({"rtl.a": {"old", "new"}}, [], read=[pathlib.Path("b.hpp")])
+        self.assertEqual((result.failed, passes), (1, []))
+        self.assertIn("rtl.a: its description does not name b.hpp", result.log)
 
     def test_a_gate_whose_tests_are_missing_fails(self):
         result, passes = self.passes_of({}, [])
@@ -190,6 +198,25 @@ class Runs(unittest.TestCase):
         ):
             self.assertEqual(gates.sanitizer_tests().failed, 1)
         self.assertIn("c_test: did not run with sanitizers", result.log)
+
+
+class ReadFiles(unittest.TestCase):
+    def test_are_sources_headers_and_inputs_of_generators_but_no_files_of_the_build(self):
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder).resolve()
+            build = root / "build"
+            build.mkdir()
+            for name in ("a.cpp", "a.hpp", "words.txt", "other.hpp", "build/made.hpp"):
+                (root / name).write_text("")
+            (build / "build.ninja").write_text(
+                "rule compile\n  command = printf 'a.o: ../a.hpp made.hpp' > a.d && touch a.o\n  depfile = a.d\n"
+                "  deps = gcc\nrule make\n  command = cat $in > $out\nrule link\n  command = cat $in > $out\n"
+                "build made.hpp: make ../words.txt\nbuild a.o: compile ../a.cpp | made.hpp\nbuild a: link a.o\n"
+                "build other: make ../other.hpp\n"
+            )
+            subprocess.run(["ninja", "-C", build, "--quiet", "a"], check=True)
+            files = BuildReads(build, root).files_of(("a",))
+            self.assertEqual(files, {root / name for name in ("a.cpp", "a.hpp", "words.txt")})
 
 
 class SameBytes(unittest.TestCase):

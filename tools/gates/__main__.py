@@ -10,6 +10,7 @@ from pathlib import Path
 
 import ctest
 import recorded
+from build_reads import BuildReads
 from same_bytes import same_bytes
 from session import BUILD, ROOT, Outcome, Session, command, say
 
@@ -51,9 +52,12 @@ class Records:
         for line in recorded.unmatched(self.gates, gates, tests):
             result.failed += 1
             result.log += f"{line}\n"
+        undescribed = recorded.undescribed(gates, BuildReads(TEST).files_of)
+        result.failed += len(undescribed)
+        result.log += "".join(f"{line}\n" for line in undescribed.values())
         changed = recorded.changed_since(self.gates, TEST)
         passes = recorded.passed(gates, tests, result.run_tests, result.failed_tests)
-        return result, [gate for gate in passes if gate.name not in changed]
+        return result, [gate for gate in passes if gate.name not in changed | undescribed.keys()]
 
     def run_due(self) -> Outcome:
         """Runs the gates that have no valid record, and records those that pass."""

@@ -19,8 +19,8 @@ from __future__ import annotations
 import hashlib
 import subprocess
 import sys
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 
@@ -47,6 +47,7 @@ class Gate:
     sources: str  # digest
     tools: str  # digest
     targets: tuple[str, ...] = ()
+    files: frozenset[Path] = field(default=frozenset(), compare=False)  # that it reads; of a proof, none are listed
 
 
 def _digest(lines: list[str]) -> str:
@@ -92,6 +93,7 @@ def read_gate(description: Path, root: Path = ROOT) -> Gate:
         _digest(digests),
         _tools_digest(packages),
         tuple(value for key, value in words if key == "target"),
+        frozenset(files),
     )
 
 
@@ -142,6 +144,15 @@ def unmatched(gates: list[Gate], run: list[Gate], tests: dict[str, set[str]]) ->
     unknown = sorted(tests.keys() - {gate.name for gate in gates})
     lines = [f"{name}: is described as a recorded gate, but has no test" for name in without]
     return lines + [f"{name}: is the label of a test, but is not described" for name in unknown]
+
+
+def undescribed(gates: list[Gate], files_of: Callable[[tuple[str, ...]], set[Path]]) -> dict[str, str]:
+    """By gate, a line with the files that its programs were made of and that its description does not name: a change of
+    one would not make the gate run. `files_of`: of programs that are built."""
+    missing = {gate.name: sorted(map(str, files_of(gate.targets) - gate.files)) for gate in gates if gate.targets}
+    return {
+        name: f"{name}: its description does not name {', '.join(files)}" for name, files in missing.items() if files
+    }
 
 
 def changed_since(gates: list[Gate], build: Path) -> set[str]:
