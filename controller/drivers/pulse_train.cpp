@@ -103,7 +103,9 @@ PulseTrain::Switches PulseTrain::switches() noexcept {
 
 PulseTrain::Drives PulseTrain::drives() noexcept {
   const std::uint32_t word = bus_.read32(base_ + kDrivesOffset);
-  return {.alarm = extract_axes(word, kDrivesAlarm), .in_position = extract_axes(word, kDrivesInPosition)};
+  return {.alarm = extract_axes(word, kDrivesAlarm),
+          .in_position = extract_axes(word, kDrivesInPosition),
+          .servo_on = extract_axes(word, kDrivesServoOn)};
 }
 
 void PulseTrain::emergency_stop() noexcept {

@@ -52,6 +52,7 @@ class PulseTrain {
   struct Drives {
     std::uint8_t alarm = 0;
     std::uint8_t in_position = 0;
+    std::uint8_t servo_on = 0;  // the enables, as the drives see them
   };
 
   explicit PulseTrain(RegisterBus& bus, RegAddr base = {regs::soc::kPulseTrainBase}) noexcept

@@ -63,7 +63,9 @@ PulseWidth::Switches PulseWidth::switches() noexcept {
 
 PulseWidth::Drives PulseWidth::drives() noexcept {
   const std::uint32_t word = bus_.read32(base_ + kDrivesOffset);
-  return {.alarm = extract_axes(word, kDrivesAlarm), .in_position = extract_axes(word, kDrivesInPosition)};
+  return {.alarm = extract_axes(word, kDrivesAlarm),
+          .in_position = extract_axes(word, kDrivesInPosition),
+          .servo_on = extract_axes(word, kDrivesServoOn)};
 }
 
 void PulseWidth::emergency_stop() noexcept {

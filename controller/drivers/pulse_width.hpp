@@ -33,6 +33,7 @@ class PulseWidth {
   struct Drives {
     std::uint8_t alarm = 0;
     std::uint8_t in_position = 0;
+    std::uint8_t servo_on = 0;  // the enables, as the drives see them
   };
 
   explicit PulseWidth(RegisterBus& bus, RegAddr base = {regs::soc::kPulseWidthBase}) noexcept

@@ -23,6 +23,7 @@ enum class FaultCause : std::uint8_t {
   kEncoderSpeed,       // an encoder is faster than the limit of its axis
   kEncoderAccel,       // an encoder changes its speed faster than the limit of its axis
   kCore1Silent,        // core 1 has not answered for 0.25 s: nobody plans, and nobody listens to the pendant
+  kServoEnable,        // the enable of a drive is low, although core 0 has set it and no stop is latched
 };
 
 struct Faulted {

@@ -35,9 +35,9 @@ void CountLogicPort::start(const RobotModel& robot) noexcept {
 const LogicInput& CountLogicPort::sample() noexcept {
   // Flags first: an event between two reads is then found now or in the next sample.
   const PulseTrain::Faults flags = pulse_train_.faults();
+  input_.drives = pulse_train_.drives();  // before the status, which says why an enable is low
   input_.status = pulse_train_.status();
   input_.switches = pulse_train_.switches();
-  input_.drives = pulse_train_.drives();
   input_.encoder_faults = encoder_.faults();
   const PerAxis<std::int32_t> positions = encoder_.positions();
   for (std::size_t axis = 0; axis < kAxes; ++axis) {

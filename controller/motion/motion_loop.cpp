@@ -124,6 +124,9 @@ void MotionLoop::account_for_emission(const LogicInput& input) noexcept {
 MotionLoop::Finding MotionLoop::find_fault(const LogicInput& input) const noexcept {
   if (input.status.estop) return {FaultCause::kEstop};
   if (input.status.watchdog) return {FaultCause::kWatchdog};
+  if (const auto off = static_cast<std::uint8_t>(PulseTrain::kAllAxes & ~input.drives.servo_on); off != 0) {
+    return {FaultCause::kServoEnable, off == PulseTrain::kAllAxes ? std::uint8_t{0} : first_axis(off)};
+  }
   if (stood_still(input)) return {FaultCause::kClock};
   if (watch_.silent()) return {FaultCause::kCore1Silent};
   if (inverse_ != nullptr && inverse_->differs) return {FaultCause::kInverseKinematics, inverse_->differing_axis};
@@ -241,6 +244,7 @@ void MotionLoop::enter_fault(const Finding& finding) noexcept {
 }
 
 void MotionLoop::tick_in_fault(const LogicInput& input) noexcept {
+  if (input.drives.servo_on != 0) logic_.set_servo(false);  // something else has enabled a drive
   update_standstill(input.encoder);
   referenced_ = static_cast<std::uint8_t>(referenced_ & ~uncounted_motion(input));
   // Only the logic knows how many of the pulses committed before the fault were emitted.

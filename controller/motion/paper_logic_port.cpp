@@ -33,9 +33,9 @@ void PaperLogicPort::start(const RobotModel& robot) noexcept {
 }
 
 const LogicInput& PaperLogicPort::sample() noexcept {
+  const PulseWidth::Drives drives = pulse_width_.drives();  // before the status, which says why an enable is low
   const PulseWidth::Status status = pulse_width_.status();
   const PulseWidth::Switches switches = pulse_width_.switches();
-  const PulseWidth::Drives drives = pulse_width_.drives();
   const auto triggered_after_commit = static_cast<std::int32_t>(decoder_.trigger_time() - written_at_);
   const bool pending = triggered_after_commit <= 0;
   input_.status = {.estop = status.estop,
@@ -44,7 +44,7 @@ const LogicInput& PaperLogicPort::sample() noexcept {
                    .pending = pending,
                    .sequence = static_cast<std::uint16_t>(pending ? sequence_ - 1 : sequence_)};
   input_.switches = {.home = switches.home, .limit_pos = switches.limit_pos, .limit_neg = switches.limit_neg};
-  input_.drives = {.alarm = drives.alarm, .in_position = drives.in_position};
+  input_.drives = {.alarm = drives.alarm, .in_position = drives.in_position, .servo_on = drives.servo_on};
   input_.always_counted = multiplexed() ? std::uint8_t{0} : static_cast<std::uint8_t>(1u << selected_);
   const bool illegal = !multiplexed() && decoder_.illegal_flag();
   input_.encoder_faults = {.illegal = illegal ? input_.always_counted : std::uint8_t{0}, .index = 0};

@@ -68,12 +68,15 @@ inline constexpr std::uint32_t kSwitchesLimitPosMask = 0x00003F00;
 inline constexpr Field kSwitchesLimitNeg{.lsb = 16, .width = 6};  // limit_neg (ro): limit_neg_i
 inline constexpr std::uint32_t kSwitchesLimitNegMask = 0x003F0000;
 
-// DRIVES: Synchronised drive inputs, one bit per axis.
+// DRIVES: Synchronised drive inputs and servo enables, one bit per axis.
 inline constexpr std::uint32_t kDrivesOffset = 0x34;
 inline constexpr Field kDrivesAlarm{.lsb = 0, .width = 6};  // alarm (ro): drive_alarm_i
 inline constexpr std::uint32_t kDrivesAlarmMask = 0x0000003F;
 inline constexpr Field kDrivesInPosition{.lsb = 8, .width = 6};  // in_position (ro): in_position_i
 inline constexpr std::uint32_t kDrivesInPositionMask = 0x00003F00;
+// servo_on (ro): servo_on_o, as the drives see it: low while a stop is latched.
+inline constexpr Field kDrivesServoOn{.lsb = 16, .width = 6};
+inline constexpr std::uint32_t kDrivesServoOnMask = 0x003F0000;
 
 // WIDTH[6]: Half period of the pulses. Every trigger samples it, so a value stays active until it is replaced.
 inline constexpr std::uint32_t kWidthOffset = 0x40;

@@ -69,9 +69,10 @@ typedef struct packed {
   logic [5:0]      switches_home;        // home_i
   logic [5:0]      switches_limit_pos;   // limit_pos_i
   logic [5:0]      switches_limit_neg;   // limit_neg_i
-  // 0x34 DRIVES: Synchronised drive inputs, one bit per axis.
+  // 0x34 DRIVES: Synchronised drive inputs and servo enables, one bit per axis.
   logic [5:0]      drives_alarm;         // drive_alarm_i
   logic [5:0]      drives_in_position;   // in_position_i
+  logic [5:0]      drives_servo_on;      // servo_on_o, as the drives see it: low while a stop is latched
   // 0x60 EMITTED[6]: Pulses emitted since reset, signed by direction; snapshot at the last trigger.
   logic [6*32-1:0] emitted_value;        // [pulses] Wraps at 32 bits
   // 0x80 RESIDUAL[6]: Active minus emitted pulses, summed over all finished ticks since reset. A set that a stop

@@ -180,6 +180,7 @@ module pulse_train_core #(
   assign hw2reg_o.switches_limit_neg = limit_neg;
   assign hw2reg_o.drives_alarm       = drive_alarm;
   assign hw2reg_o.drives_in_position = in_position;
+  assign hw2reg_o.drives_servo_on    = servo_on_o;
 
   sync_2ff #(.Width(5*Axes)) u_sync (
     .clk_i,

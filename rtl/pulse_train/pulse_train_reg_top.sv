@@ -77,6 +77,7 @@ module pulse_train_reg_top (
   logic [5:0]      switches_limit_neg;
   logic [5:0]      drives_alarm;
   logic [5:0]      drives_in_position;
+  logic [5:0]      drives_servo_on;
   logic [6*16-1:0] count_value_q;
   logic [6*32-1:0] emitted_value;
   logic [6*32-1:0] residual_value;
@@ -118,6 +119,7 @@ module pulse_train_reg_top (
   assign switches_limit_neg            = hw2reg_i.switches_limit_neg;
   assign drives_alarm                  = hw2reg_i.drives_alarm;
   assign drives_in_position            = hw2reg_i.drives_in_position;
+  assign drives_servo_on               = hw2reg_i.drives_servo_on;
   assign reg2hw_o.count_value          = count_value_q;
   assign emitted_value                 = hw2reg_i.emitted_value;
   assign residual_value                = hw2reg_i.residual_value;
@@ -243,7 +245,7 @@ module pulse_train_reg_top (
         16'h0028: rdata_q <= {16'b0, commit_sequence_q};
         16'h002C: rdata_q <= time_cycles;
         16'h0030: rdata_q <= {10'b0, switches_limit_neg, 2'b0, switches_limit_pos, 2'b0, switches_home};
-        16'h0034: rdata_q <= {18'b0, drives_in_position, 2'b0, drives_alarm};
+        16'h0034: rdata_q <= {10'b0, drives_servo_on, 2'b0, drives_in_position, 2'b0, drives_alarm};
         16'h003C: rdata_q <= {31'b0, key_unlocked_q};
         16'h0040, 16'h0044, 16'h0048, 16'h004C, 16'h0050, 16'h0054: begin  // COUNT[6]
           for (int i = 0; i < 6; i++) begin

@@ -56,12 +56,14 @@ package pulse_width_reg_pkg;
   localparam int          SwitchesLimitNegLsb   = 16;
   localparam int          SwitchesLimitNegWidth = 6;
 
-  // DRIVES: Synchronised drive inputs, one bit per axis.
+  // DRIVES: Synchronised drive inputs and servo enables, one bit per axis.
   localparam logic [15:0] DrivesOffset          = 16'h0034;
   localparam int          DrivesAlarmLsb        = 0;
   localparam int          DrivesAlarmWidth      = 6;
   localparam int          DrivesInPositionLsb   = 8;
   localparam int          DrivesInPositionWidth = 6;
+  localparam int          DrivesServoOnLsb      = 16;
+  localparam int          DrivesServoOnWidth    = 6;
 
   // WIDTH[6]: Half period of the pulses. Every trigger samples it, so a value stays active until it is replaced.
   localparam logic [15:0] WidthOffset     = 16'h0040;

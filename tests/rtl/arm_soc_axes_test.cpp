@@ -57,6 +57,7 @@ TEST_P(ArmSocTest, EachCountAndServoBitDrivesThePinsOfItsAxis) {
     write(kPulse + pulse::kCtrlOffset, 1u << axis);
     axi_.step(4);
     EXPECT_EQ(dut_.servo_on_o, 1u << axis);
+    EXPECT_EQ(read(kPulse + pulse::kDrivesOffset), 1u << (pulse::kDrivesServoOn.lsb + axis));
   }
 }
 

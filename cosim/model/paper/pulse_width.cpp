@@ -101,7 +101,8 @@ Answer PulseWidth::read(Cycles at, std::uint32_t offset) const {
                   insert(0, width_regs::kSwitchesLimitNeg, pins.limit_neg));
     case width_regs::kDrivesOffset:
       return word(insert(0, width_regs::kDrivesAlarm, pins.drive_alarm),
-                  insert(0, width_regs::kDrivesInPosition, pins.in_position));
+                  insert(0, width_regs::kDrivesInPosition, pins.in_position),
+                  insert(0, width_regs::kDrivesServoOn, servo_pins_));
     case width_regs::kFaultTimeOffset:
       return word(faults_.time(0));
     default:

@@ -248,7 +248,8 @@ Answer PulseTrain::read(Cycles at, std::uint32_t offset) const {
                   insert(0, train_regs::kSwitchesLimitNeg, pins.limit_neg));
     case train_regs::kDrivesOffset:
       return word(insert(0, train_regs::kDrivesAlarm, pins.drive_alarm),
-                  insert(0, train_regs::kDrivesInPosition, pins.in_position));
+                  insert(0, train_regs::kDrivesInPosition, pins.in_position),
+                  insert(0, train_regs::kDrivesServoOn, servo_pins_));
     case train_regs::kKeyOffset:
       return word(std::uint32_t{unlocked_});
     default:

@@ -107,7 +107,7 @@ TEST_F(PulseTrainDriver, ReadsSignedCountersOfAllAxes) {
 TEST_F(PulseTrainDriver, ReadsUnderrunsSwitchesAndDrives) {
   EXPECT_CALL(bus, read32(pulse_train_at(0x18))).WillOnce(Return(123'456u));
   EXPECT_CALL(bus, read32(pulse_train_at(0x30))).WillOnce(Return(0x0021'1203u));
-  EXPECT_CALL(bus, read32(pulse_train_at(0x34))).WillOnce(Return(0x0000'3F20u));
+  EXPECT_CALL(bus, read32(pulse_train_at(0x34))).WillOnce(Return(0x0015'3F20u));
   EXPECT_EQ(pulse_train.underruns(), 123'456u);
   const auto switches = pulse_train.switches();
   EXPECT_EQ(switches.home, 0x03);
@@ -116,6 +116,7 @@ TEST_F(PulseTrainDriver, ReadsUnderrunsSwitchesAndDrives) {
   const auto drives = pulse_train.drives();
   EXPECT_EQ(drives.alarm, 0x20);
   EXPECT_EQ(drives.in_position, 0x3F);
+  EXPECT_EQ(drives.servo_on, 0x15);
 }
 
 TEST_F(PulseTrainDriver, StopsAndClearsBothLatches) {

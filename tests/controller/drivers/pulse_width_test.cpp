@@ -79,7 +79,7 @@ TEST_F(PulseWidthDriver, ReadsTimeAndSignedCountersOfAllAxes) {
 
 TEST_F(PulseWidthDriver, ReadsSwitchesAndDrives) {
   EXPECT_CALL(bus, read32(pulse_width_at(0x30))).WillOnce(Return(0x0021'1203u));
-  EXPECT_CALL(bus, read32(pulse_width_at(0x34))).WillOnce(Return(0x0000'3F20u));
+  EXPECT_CALL(bus, read32(pulse_width_at(0x34))).WillOnce(Return(0x0015'3F20u));
   const auto switches = pulse_width.switches();
   EXPECT_EQ(switches.home, 0x03);
   EXPECT_EQ(switches.limit_pos, 0x12);
@@ -87,6 +87,7 @@ TEST_F(PulseWidthDriver, ReadsSwitchesAndDrives) {
   const auto drives = pulse_width.drives();
   EXPECT_EQ(drives.alarm, 0x20);
   EXPECT_EQ(drives.in_position, 0x3F);
+  EXPECT_EQ(drives.servo_on, 0x15);
 }
 
 TEST_F(PulseWidthDriver, StopsAndClearsTheLatch) {

@@ -82,6 +82,8 @@ const std::vector<Case> kCases{
     {.fault = R"(kind = "clock_stop", duration_s = 0.0002)"},
     {.fault = R"(kind = "stray_write", address = 0x42800000, data = 0)"},
     {.fault = R"(kind = "register_flip", address = 0x42800000, bit = 7)"},
+    {.fault = R"(kind = "stray_write", address = 0x43C10004, data = 0x100)"},  // the servo enables of all axes
+    {.fault = R"(kind = "register_flip", address = 0x43C10004, bit = 3)"},
     {.fault = R"(kind = "block_hang", clock = "io")",
      .why =
          "The arm needs neither the outputs of the tool nor the serial line. The first access to them stops core 1."},
