@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "cosim/scenario/scenario.hpp"
-#include "cosim/serial/host_port.hpp"
+#include "cosim/serial/host/host_port.hpp"
 
 namespace armature::cosim {
 

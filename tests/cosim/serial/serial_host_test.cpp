@@ -16,7 +16,7 @@
 
 #include "cosim/net/file_descriptor.hpp"
 #include "cosim/net/generic_address.hpp"
-#include "cosim/serial/host_port.hpp"
+#include "cosim/serial/host/host_port.hpp"
 #include "cosim/text/input_error.hpp"
 #include "tests/cosim/support/temp_folder.hpp"
 

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "cosim/serial/host_channel.hpp"
+#include "cosim/serial/host/host_channel.hpp"
 #include "cosim/serial/serial_peer.hpp"
 
 namespace armature::cosim {

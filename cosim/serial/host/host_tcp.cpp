@@ -9,7 +9,7 @@
 
 #include "cosim/net/listener.hpp"
 #include "cosim/net/waiting_clients.hpp"
-#include "cosim/serial/host_channel.hpp"
+#include "cosim/serial/host/host_channel.hpp"
 
 namespace armature::cosim {
 namespace {

@@ -1,4 +1,4 @@
-#include "cosim/serial/host_port.hpp"
+#include "cosim/serial/host/host_port.hpp"
 
 #include <chrono>
 #include <thread>

@@ -1,4 +1,4 @@
-#include "cosim/serial/host_channel.hpp"
+#include "cosim/serial/host/host_channel.hpp"
 
 #include "cosim/net/listener.hpp"
 #include "cosim/text/input_error.hpp"

@@ -8,7 +8,7 @@
 #include <cstring>
 
 #include "cosim/net/file_descriptor.hpp"
-#include "cosim/serial/host_channel.hpp"
+#include "cosim/serial/host/host_channel.hpp"
 #include "cosim/text/input_error.hpp"
 
 namespace armature::cosim {
