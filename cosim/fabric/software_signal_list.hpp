@@ -25,6 +25,8 @@ enum class SoftwareSignal : std::uint8_t {
   kBusRegister,
   kBusWriteData,
   kBusReadData,
+  kSerialIn,
+  kSerialOut,
 };
 
 struct SoftwareSignalRow {
@@ -52,8 +54,10 @@ inline constexpr SoftwareSignalRow kSoftwareSignals[] = {
     {"bus_register", 224, 36},
     {"bus_write_data", 32, 43},
     {"bus_read_data", 32, 44},
+    {"serial_in", 256, 45},
+    {"serial_out", 256, 53},
 };
 // clang-format on
-inline constexpr std::size_t kSoftwareWords = 45;
+inline constexpr std::size_t kSoftwareWords = 61;
 
 }  // namespace armature::cosim

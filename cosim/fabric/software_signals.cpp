@@ -5,15 +5,14 @@
 namespace armature::cosim {
 namespace {
 
-constexpr std::size_t kCharacterBits = 8, kCharactersOfWord = 4;
+constexpr std::size_t kCharactersOfWord = 4;
 
 }  // namespace
 
 void SoftwareSignals::set(SoftwareSignal signal, std::string_view text) {
   const SoftwareSignalRow& of = row(signal);
-  const std::size_t characters = static_cast<std::size_t>(of.bits) / kCharacterBits;
-  const std::size_t words = (characters + kCharactersOfWord - 1) / kCharactersOfWord;
-  text = text.substr(0, characters);
+  const std::size_t words = (characters(signal) + kCharactersOfWord - 1) / kCharactersOfWord;
+  text = text.substr(0, characters(signal));
   std::fill_n(words_.begin() + static_cast<std::ptrdiff_t>(of.word), words, 0u);
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto character = static_cast<unsigned char>(text[text.size() - 1 - i]);

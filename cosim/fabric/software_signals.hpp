@@ -16,12 +16,18 @@ class SoftwareSignals {
   void set(SoftwareSignal signal, std::uint32_t value) { words_[row(signal).word] = value; }
   // A text. Its end is left out if it does not fit.
   void set(SoftwareSignal signal, std::string_view text);
+  // Of the longest text that fits.
+  [[nodiscard]] static constexpr std::size_t characters(SoftwareSignal signal) {
+    return static_cast<std::size_t>(row(signal).bits) / kCharacterBits;
+  }
 
   // The words of a signal, the lowest bits first.
   [[nodiscard]] const std::uint32_t* words(const SoftwareSignalRow& row) const { return &words_[row.word]; }
 
  private:
-  [[nodiscard]] static const SoftwareSignalRow& row(SoftwareSignal signal) {
+  static constexpr std::size_t kCharacterBits = 8;
+
+  [[nodiscard]] static constexpr const SoftwareSignalRow& row(SoftwareSignal signal) {
     return kSoftwareSignals[static_cast<std::size_t>(signal)];
   }
 

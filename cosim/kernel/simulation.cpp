@@ -67,7 +67,11 @@ void Simulation::connect_serial_line(SerialPeer* peer) {
   }
   serial_.emplace(
       SerialFormat::from(*scenario_.serial), to_script(scenario_.serial_sends),
-      [this](const SerialEvent& event) { listener_.on_signal(event, now()); }, peer);
+      [this](const SerialEvent& event) {
+        software_.on_serial(event);
+        listener_.on_signal(event, now());
+      },
+      peer);
 }
 
 bool Simulation::advance(Cycles until) {

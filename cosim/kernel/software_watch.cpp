@@ -22,7 +22,18 @@ constexpr std::string_view name_of(CoreState state) {
 }
 static_assert(name_of(CoreState::kHalted) == "halted");
 
+SerialBurst burst_of(const Scenario& scenario, SoftwareSignal signal) {
+  const SerialFormat format = scenario.serial ? SerialFormat::from(*scenario.serial) : SerialFormat{};
+  return {format, SoftwareSignals::characters(signal)};
+}
+
 }  // namespace
+
+SoftwareWatch::SoftwareWatch(const Scenario& scenario)
+    : variant_{scenario.variant},
+      names_{scenario},
+      serial_in_{burst_of(scenario, kSerialIn)},
+      serial_out_{burst_of(scenario, kSerialOut)} {}
 
 void SoftwareWatch::on_event(const Event& event) {
   std::visit(Overloaded{
@@ -50,6 +61,13 @@ void SoftwareWatch::on_event(const Event& event) {
                  [](const auto&) {},
              },
              event);
+}
+
+void SoftwareWatch::on_serial(const SerialEvent& event) {
+  const bool is_in = event.direction == SerialDirection::kRx;
+  SerialBurst& burst = is_in ? serial_in_ : serial_out_;
+  burst.add(event);
+  signals_.set(is_in ? kSerialIn : kSerialOut, burst.text());
 }
 
 void SoftwareWatch::begin(std::string_view type, Tag tag) {

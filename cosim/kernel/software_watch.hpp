@@ -15,18 +15,21 @@
 #include "cosim/fabric/software_signals.hpp"
 #include "cosim/scenario/command_names.hpp"
 #include "cosim/scenario/scenario.hpp"
+#include "cosim/serial/serial_burst.hpp"
+#include "cosim/serial/serial_event.hpp"
 
 namespace armature::cosim {
 
 class SoftwareWatch {
  public:
-  explicit SoftwareWatch(const Scenario& scenario) : variant_{scenario.variant}, names_{scenario} {}
+  explicit SoftwareWatch(const Scenario& scenario);
 
   // The values of the last show().
   [[nodiscard]] const SoftwareSignals& signals() const { return signals_; }
 
   // During the whole run, because a waveform may begin later.
   void on_event(const Event& event);
+  void on_serial(const SerialEvent& event);
   void on_read(std::uint32_t data) { read_data_ = data; }
 
   // While a waveform is open, before the time passes on. `tick`: number of the last trigger, or -1. `access`: under
@@ -46,6 +49,7 @@ class SoftwareWatch {
   int homing_axes_ = 0;
   bool faulted_ = false;
   std::uint32_t read_data_ = 0;
+  SerialBurst serial_in_, serial_out_;  // of the controller
 };
 
 }  // namespace armature::cosim

@@ -26,6 +26,8 @@ struct SerialFormat {
   [[nodiscard]] bool parity_bit(unsigned data) const;
   // Number of start, data and parity bits.
   [[nodiscard]] int bits_before_stop() const { return 1 + data_bits + (has_parity() ? 1 : 0); }
+  // Of a character, stop time included.
+  [[nodiscard]] int half_bits() const { return 2 * bits_before_stop() + stop_half_bits; }
 };
 
 }  // namespace armature::cosim

@@ -10,9 +10,8 @@
 #include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
-namespace {
 
-std::string char_text(std::uint8_t byte) {
+std::string serial_text(std::uint8_t byte) {
   switch (byte) {
     case '\r':
       return "\\r";
@@ -28,6 +27,8 @@ std::string char_text(std::uint8_t byte) {
   const bool plain = byte >= 0x20 && byte < 0x7F && byte != ',' && byte != '"';
   return plain ? std::string{static_cast<char>(byte)} : fmt::format("\\x{:02X}", byte);
 }
+
+namespace {
 
 std::string error_text(const SerialEvent& event) {
   if (event.is_break) return "break";
@@ -47,7 +48,8 @@ std::string percent_text(std::int32_t ppm) {
 std::string serial_log_row(const SerialEvent& event) {
   const bool rx = event.direction == SerialDirection::kRx;
   return fmt::format("{},{},{:02X},{},{},{},{}", seconds_text(event.at), rx ? "rx" : "tx", event.byte,
-                     char_text(event.byte), error_text(event), rx ? percent_text(event.baud_error_ppm) : std::string{},
+                     serial_text(event.byte), error_text(event),
+                     rx ? percent_text(event.baud_error_ppm) : std::string{},
                      rx && event.is_break ? seconds_text(event.break_duration) : std::string{});
 }
 

@@ -25,6 +25,9 @@ namespace armature::cosim {
 
 inline constexpr std::string_view kSerialLogHeader = "time_s,direction,byte,char,error,baud_error_percent,break_s";
 
+// `char` of a row.
+[[nodiscard]] std::string serial_text(std::uint8_t byte);
+
 // One row, without the end of the line.
 [[nodiscard]] std::string serial_log_row(const SerialEvent& event);
 

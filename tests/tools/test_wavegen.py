@@ -65,6 +65,16 @@ class Wavegen(TreeTest):
         shown = "variable_add top.software.rate\nitem_focus c_\nitem_set_format Bit\n"
         self.assertIn(shown, (self.root / "tools/arm_soc_paper.sucl").read_text())
 
+    def test_the_texts_of_the_serial_line_are_beside_its_pins(self):
+        for variant in ("arm_soc", "arm_soc_paper"):
+            gtkw = (ROOT / f"tools/{variant}.gtkw").read_text()
+            group = gtkw.partition("-serial line and tool\n")[2].partition("-serial line and tool\n")[0]
+            self.assertIn("+{serial_out} top.software.serial_out[255:0]\n@28\n+{uart_rxd_i} top.uart_rxd_i\n", group)
+            sucl = (ROOT / f"tools/{variant}.sucl").read_text()
+            group = sucl.partition("divider_add serial_line_and_tool\n")[2].partition("divider_add")[0]
+            added = [line.split()[1] for line in group.splitlines() if line.startswith("variable_add")]
+            self.assertEqual(added[:3], ["top.software.serial_in", "top.software.serial_out", "top.uart_rxd_i"])
+
     def test_each_item_of_a_surfer_view_has_the_focus_when_the_next_one_is_added(self):
         lines = (ROOT / "tools/arm_soc.sucl").read_text().splitlines()
         added = [at for at, line in enumerate(lines) if line.startswith(("variable_add ", "divider_add "))]

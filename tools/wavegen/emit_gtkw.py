@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from model import Access, Block, Field, Pin, Register, SocMap
-from signals import COLORS, Group, Signal
+from signals import COLORS, Group
 from table import MapError
 
 # Flags of a trace.
@@ -14,6 +14,7 @@ BLANK, GROUP, END_OF_GROUP, CLOSED, END_OF_CLOSED, HEIGHT = 0x200, 0x800000, 0x1
 RADIX = {"bit": BINARY, "number": DECIMAL, "signed": SIGNED, "hex": HEX, "text": TEXT}
 ANALOG_ROWS = 2  # below the row of an analog trace, for its height
 NARROW = 8  # bits of a code that is shown in binary
+WITH_PINS = "serial line and tool"  # signals of the software and pins in one group
 AXIS_COLORS = ("red", "orange", "yellow", "green")  # the others are dark
 
 TOP = "top"
@@ -150,9 +151,11 @@ def _radix(one: Field) -> int:
     return BINARY if one.width <= NARROW else HEX
 
 
-def _software(signal: Signal) -> list[str]:
-    net = f"{TOP}.software.{signal.name}{_range(signal.bits)}"
-    return _trace(RADIX[signal.kind], signal.name, net, signal.color)
+def _software(group: Group) -> list[list[str]]:
+    return [
+        _trace(RADIX[signal.kind], signal.name, f"{TOP}.software.{signal.name}{_range(signal.bits)}", signal.color)
+        for signal in group.signals
+    ]
 
 
 def _registers(view: View, block: str) -> list[list[str]]:
@@ -213,11 +216,13 @@ def _motion(view: View):
 def view(name: str, variant: str, groups: list[Group], soc: SocMap, blocks: list[Block]) -> str:
     made = View(variant, soc, {block.name: block for block in blocks})
     for group in groups:
-        made.group(group.name, [_software(signal) for signal in group.signals])
+        if group.name != WITH_PINS:
+            made.group(group.name, _software(group))
     made.group("trigger", [_clock(soc), *made.pins("trigger_o"), *made.interrupts()])
     _motion(made)
     made.group("safety", made.pins("estop_ni", "servo_on_o", "heartbeat_o", "drive_alarm_i", "in_position_i"))
-    made.group("serial line and tool", made.pins("uart_rxd_i", "uart_txd_o", "gpio_i", "gpio_o", "pwm_o"))
+    serial = [trace for group in groups if group.name == WITH_PINS for trace in _software(group)]
+    made.group(WITH_PINS, [*serial, *made.pins("uart_rxd_i", "uart_txd_o", "gpio_i", "gpio_o", "pwm_o")])
     for direction, traces in BUS:
         made.group(f"AXI4-Lite {direction}", _bus(traces), closed=True)
     for group in soc.pin_groups:

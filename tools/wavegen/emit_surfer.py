@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from emit_gtkw import View, position_signals
+from emit_gtkw import WITH_PINS, View, position_signals
 from model import Block, Pin, SocMap
 from signals import Group, Signal
 
@@ -13,7 +13,7 @@ PINS = {
     "trigger": ("trigger_o", "irq_o"),
     "step and direction": ("step_o", "dir_o"),
     "safety": ("estop_ni", "servo_on_o", "heartbeat_o", "drive_alarm_i", "in_position_i"),
-    "serial line and tool": ("uart_rxd_i", "uart_txd_o", "gpio_i", "gpio_o", "pwm_o"),
+    WITH_PINS: ("uart_rxd_i", "uart_txd_o", "gpio_i", "gpio_o", "pwm_o"),
 }
 
 
@@ -52,13 +52,12 @@ def _pin(view: SurferView, pin: Pin):
 
 def view(name: str, variant: str, groups: list[Group], soc: SocMap, blocks: list[Block]) -> str:
     chip, made = View(variant, soc, {block.name: block for block in blocks}), SurferView()
-    for group in groups:
-        made.divider(group.name)
-        for signal in group.signals:
-            _software(made, signal)
-    for group, ports in PINS.items():
+    signals = {group.name: group.signals for group in groups}
+    for group in [*(name for name in signals if name not in PINS), *PINS]:
         made.divider(group)
-        for port in ports:
+        for signal in signals.get(group, ()):
+            _software(made, signal)
+        for port in PINS.get(group, ()):
             _pin(made, chip.pin(port))
     made.divider("positions")
     for position in position_signals(chip):

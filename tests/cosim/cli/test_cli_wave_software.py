@@ -23,6 +23,43 @@ type = "joint"
 target_deg = [0, 0, 0, 0, 5, 0]
 """
 
+PENDANT = """description = "d"
+robot = "abb_irb120"
+duration_s = 0.03
+[pendant]
+[[pendant.step]]
+command = "heartbeat"
+parameter = 1
+payload = 7
+[[pendant.step]]
+command = "get_status"
+[[pendant.step]]
+command = "servo"
+parameter = 1
+[expect]
+faults = ["drives_off"]
+"""
+CHARACTER_S = 10 / 115200  # of the pendant's line
+PAUSE_S = 4 * CHARACTER_S
+SERIAL_CHARACTERS = 32
+
+
+def serial_texts(rows, direction):
+    """What the signal of this direction must show, by serial.csv: [(time in ns, text)]."""
+    texts, characters, last_s = [], [], None
+    for row in rows:
+        if row["direction"] != direction:
+            continue
+        at_s = float(row["time_s"])
+        if last_s is not None and at_s - last_s - CHARACTER_S > PAUSE_S:
+            characters = []
+        last_s = at_s
+        characters.append(row["char"])
+        while len("".join(characters)) > SERIAL_CHARACTERS:
+            characters.pop(0)
+        texts.append((round(at_s * 1e9) + CLOCK_NS, "".join(characters)))
+    return texts
+
 
 class SoftwareSignals(Program):
     def run_tiny(self, *options, scenario=TINY, code=0):
@@ -142,6 +179,32 @@ class SoftwareSignals(Program):
             file.write('\n[[fault]]\nat_s = 0.012\nkind = "estop"\nduration_s = 0.001\n')
         vcd = self.run_tiny("--from", "0.0125", "--to", "0.0126", scenario=scenario, code=1)
         self.assertEqual(vcd.text_at("top.software.fault", vcd.times[0]), self.result["faults"][0]["cause"])
+
+    def run_pendant(self, engine, *window):
+        """The waveform of a pendant's run, and the rows of its serial.csv."""
+        (self.folder / "s").mkdir(exist_ok=True)
+        (self.folder / "s/scenario.toml").write_text(PENDANT)
+        options = ("--path", SCENARIOS, "--out", "out", "--engine", engine, "--vcd", "w.vcd", *window)
+        self.armature("run", "s", *options)
+        return Vcd((self.folder / "w.vcd").read_text()), self.rows("out/serial.csv")
+
+    def test_the_serial_texts_are_the_characters_of_serial_csv(self):
+        vcd, rows = self.run_pendant("model")
+        for direction, name in (("rx", "serial_in"), ("tx", "serial_out")):
+            wanted = serial_texts(rows, direction)
+            self.assertGreater(len(wanted), 20)
+            self.assertGreater(len([text for _, text in wanted if len(text) == 1 or text.count("\\x") == 1]), 2)
+            self.assertEqual(vcd.texts(f"top.software.{name}"), [(vcd.times[0], ""), *wanted])
+
+    def test_the_serial_texts_of_both_engines_are_equal_also_in_a_window_that_begins_later(self):
+        _, rows = self.run_pendant("model")
+        third_s = [float(row["time_s"]) for row in rows if row["direction"] == "tx"][2]
+        window = ("--from", f"{third_s - 0.5 * CHARACTER_S}", "--to", f"{third_s + 1.5 * CHARACTER_S}")
+        rtl, model = (self.run_pendant(engine, *window)[0] for engine in ("rtl", "model"))
+        for name in ("top.software.serial_in", "top.software.serial_out"):
+            self.assertEqual(rtl.texts(name), model.texts(name))
+        shown = [text for _, text in model.texts("top.software.serial_out")]
+        self.assertEqual(shown, [text for _, text in serial_texts(rows, "tx")[1:4]])
 
     def test_the_paper_variant_has_the_registers_of_its_own_blocks(self):
         vcd = self.run_tiny("--from", "0.0202", "--to", "0.0204", "--variant", "paper")
