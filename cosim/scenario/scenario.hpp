@@ -79,6 +79,7 @@ struct ExpectSpec {
   std::optional<std::int64_t> min_underruns;
   std::optional<std::int64_t> missing_ticks;      // triggers that the timer did not give; 0 if not stated
   std::optional<std::int64_t> unanswered_faults;  // injected faults to which nothing responded; 0 if not stated
+  std::optional<std::int64_t> max_stop_ticks;     // from an injected fault to the drop of a servo enable
   std::optional<std::int64_t> unasked_stops;      // stops on a path that nobody asked for; 0 if not stated
   std::optional<std::int64_t> refused_moves;
   std::optional<std::int64_t> unfinished_moves;         // moves that still wait or move when the run ends

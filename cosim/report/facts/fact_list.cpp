@@ -180,6 +180,11 @@ std::vector<Fact> make_list() {
      .value = [](const F& facts) -> FactValue { return facts.unanswered_faults(); }, .group = FactGroup::kEvents,
      .expectations = {equal<&E::unanswered_faults>("unanswered_faults")}, .where = at_unanswered_faults,
      .otherwise = {{std::int64_t{0}, kNotStated}}},
+    {.name = "stop_ticks", .unit = "ticks",
+     .meaning = "Longest time from the begin of an injected fault to the first servo enable that drops after it",
+     .value = measured<&F::stop_ticks>, .group = FactGroup::kEvents,
+     .expectations = {at_most<&E::max_stop_ticks>("max_stop_ticks")}, .in_words = stop_ticks_text,
+     .where = at_longest_stop},
 
     // ---- axes
     {.name = "final_joint_deg", .unit = "deg", .meaning = "Joint angle of each axis at the end, by the encoder",

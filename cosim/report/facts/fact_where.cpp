@@ -75,6 +75,16 @@ FactWhere at_unanswered_faults(const RunFacts& facts) {
   return where;
 }
 
+FactWhere at_longest_stop(const RunFacts& facts) {
+  FactWhere where;
+  for (const InjectedFault& fault : facts.injected_faults) {
+    if (where.at || !fault.stop_ticks() || fault.stop_ticks() != facts.stop_ticks()) continue;
+    where.at = fault.when;
+    where.text = fmt::format("{}, {}", fault_text(fault.spec), seconds(fault.when.at));
+  }
+  return where;
+}
+
 FactWhere at_unasked_stops(const RunFacts& facts) {
   FactWhere where;
   std::vector<std::string> stops;

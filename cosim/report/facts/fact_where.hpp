@@ -25,6 +25,7 @@ struct FactWhere {
 [[nodiscard]] FactWhere at_missed_stop(const RunFacts& facts);
 // `block_hang motion, 0.1 s; estop for 0.02 s, 0.12 s`: all injected faults to which nothing responded.
 [[nodiscard]] FactWhere at_unanswered_faults(const RunFacts& facts);
+[[nodiscard]] FactWhere at_longest_stop(const RunFacts& facts);
 // `before line 12 of part.ngc, tick 9000, 0.450020 s; before move[3], tick 9900, 0.495020 s`: the first of all unasked
 // stops of the run.
 [[nodiscard]] FactWhere at_unasked_stops(const RunFacts& facts);

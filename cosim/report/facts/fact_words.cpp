@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <iterator>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -120,6 +122,11 @@ FactValue stopped_by(const RunFacts& facts) {
 
 std::string stopped_by_text(const RunFacts& facts) {
   return facts.stopped_by.empty() ? "no stop" : facts.stopped_by;
+}
+
+std::string stop_ticks_text(const RunFacts& facts) {
+  const std::optional<std::int64_t> ticks = facts.stop_ticks();
+  return ticks ? std::to_string(*ticks) : "no stop";
 }
 
 FactValue missed_stop(const RunFacts& facts) {

@@ -41,6 +41,7 @@ template <bool kAsHex>
 [[nodiscard]] std::string unfinished_moves_text(const RunFacts& facts);
 [[nodiscard]] std::string first_profile_text(const RunFacts& facts);
 [[nodiscard]] std::string stopped_by_text(const RunFacts& facts);
+[[nodiscard]] std::string stop_ticks_text(const RunFacts& facts);
 [[nodiscard]] std::string settle_text(const RunFacts& facts);
 template <auto kMember>
 [[nodiscard]] std::string tool_text(const RunFacts& facts) {

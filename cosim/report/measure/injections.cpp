@@ -2,13 +2,20 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <optional>
 #include <variant>
 
 #include "cosim/scenario/command_names.hpp"
+#include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
+
+std::optional<std::int64_t> InjectedFault::stop_ticks() const {
+  if (!servo_off) return std::nullopt;
+  return ((*servo_off - when.at).value() + kTickCycles - 1) / kTickCycles;
+}
 
 void InjectionMeter::add(const FaultSpec& fault, const RunPlace& when) {
   faults_.push_back({.spec = fault, .when = when, .answered = servo_on_ == 0});

@@ -31,6 +31,9 @@ struct InjectedFault {
   // the feedback corrected lost or extra pulses. An Estop is answered only when all servo enables are low. A fault that
   // comes while they are low needs no response.
   bool answered = false;
+
+  // From its begin to servo_off, in ticks that have begun.
+  [[nodiscard]] std::optional<std::int64_t> stop_ticks() const;
 };
 
 struct GivenInput {

@@ -155,6 +155,7 @@ struct RunFacts {
   // Triggers that the simulated time has room for and that did not come.
   [[nodiscard]] std::int64_t missing_ticks() const;
   [[nodiscard]] std::int64_t unanswered_faults() const;
+  [[nodiscard]] std::optional<std::int64_t> stop_ticks() const;  // the longest of injected_faults
   // A stop that was demanded and not executed in time.
   [[nodiscard]] std::optional<DemandedStop> missed_stop() const { return stops.missed(cycles); }
   [[nodiscard]] std::string_view outcome() const;    // one of outcomes()

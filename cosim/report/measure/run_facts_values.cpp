@@ -25,6 +25,12 @@ std::int64_t RunFacts::unanswered_faults() const {
   return std::ranges::count(injected_faults, false, &InjectedFault::answered);
 }
 
+std::optional<std::int64_t> RunFacts::stop_ticks() const {
+  std::optional<std::int64_t> longest;
+  for (const InjectedFault& fault : injected_faults) longest = std::max(longest, fault.stop_ticks());
+  return longest;
+}
+
 std::string_view RunFacts::bus_error() const {
   return bus_error_name(bus_aborts.empty() ? BusError::kNone : bus_aborts.front().error);
 }

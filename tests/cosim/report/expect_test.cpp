@@ -301,6 +301,25 @@ TEST(Expect, AStatedNumberOfMissingTicksAndUnansweredFaultsIsMet) {
               ElementsAre("expect.missing_ticks: expected 1, got 2", "expect.unanswered_faults: expected 0, got 1"));
 }
 
+TEST(Expect, TheLongestTimeToAStopIsComparedAndItsFaultNamed) {
+  RunFacts facts = good_run();
+  facts.injected_faults = {
+      {.spec = {.kind = Estop{.duration_s = 0.02}}, .when = {}, .servo_off = Cycles{2'500}, .answered = true},
+      {.spec = {.kind = DriveAlarm{.axis = 2, .duration_s = 1}},
+       .when = {.tick = 3, .at = Cycles{50'000}},
+       .servo_off = Cycles{60'001},
+       .answered = true},
+      {.spec = {.kind = BlockHang{}}, .when = {}, .answered = true}};
+  ExpectSpec expect = all_of_it();
+  expect.max_stop_ticks = 5;
+  EXPECT_THAT(texts(expect, facts), IsEmpty());
+  expect.max_stop_ticks = 4;
+  EXPECT_THAT(texts(expect, facts, Where::kYes),
+              ElementsAre("expect.max_stop_ticks: expected at most 4, got 5 (drive_alarm of axis 2 for 1 s, "
+                          "0.001000 s)"));
+  EXPECT_THAT(texts(expect, good_run()), ElementsAre("expect.max_stop_ticks: expected at most 4, got no stop"));
+}
+
 TEST(Expect, AStatedNumberOfUnaskedStopsIsMetAndTheFirstAreNamed) {
   RunFacts facts = good_run();
   facts.moves.resize(8);

@@ -73,9 +73,11 @@ TEST(Injections, WhatHappensAnswersTheLastInjectedFault) {
 
   EXPECT_EQ(meter.faults()[0].underruns, 1);
   EXPECT_FALSE(meter.faults()[0].servo_off);
+  EXPECT_FALSE(meter.faults()[0].stop_ticks());
   EXPECT_FALSE(meter.faults()[0].fault);
   EXPECT_EQ(meter.faults()[1].underruns, 4);
   EXPECT_EQ(meter.faults()[1].servo_off, Cycles{15'000});
+  EXPECT_EQ(meter.faults()[1].stop_ticks(), 4);
   EXPECT_EQ(meter.faults()[1].fault->cause, FaultCause::kWatchdog);
   EXPECT_EQ(answer_text(meter.faults()[0]), "1 underruns, the controller reports no fault");
   EXPECT_EQ(answer_text(meter.faults()[1]),

@@ -42,6 +42,7 @@ def put_expect(draft):
         "max_correction_pulses",
         "missing_ticks",
         "unanswered_faults",
+        "max_stop_ticks",
         "unasked_stops",
     ):
         draft.maybe(key, draft.count, few)
