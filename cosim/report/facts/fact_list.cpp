@@ -128,6 +128,12 @@ std::vector<Fact> make_list() {
      .value = measured<&F::command_tracking_error>, .screen = {"  of the set-points"},
      .expectations = {at_most<&E::max_command_tracking_error_mm>("max_command_tracking_error_mm")},
      .in_words = deviation_text<&F::command_tracking_error>, .where = deviation_where<&F::command_tracking_error>},
+    {.name = "rms_tracking_error_mm", .unit = "mm",
+     .meaning = "Root mean square of the distance of which `tracking_error` is the largest, over all ticks in which it is "
+                "measured",
+     .value = measured<&F::rms_tracking_error_mm>},
+    {.name = "rms_command_tracking_error_mm", .unit = "mm", .meaning = "The same of the set-points",
+     .value = measured<&F::rms_command_tracking_error_mm>},
     {.name = "corrected_ticks", .unit = "",
      .meaning = "Ticks in which the network of `[conveyor.policy]` corrected where the belt is expected",
      .value = measured<&F::corrected_ticks>, .screen = {"ticks with a network", 6, true},

@@ -199,6 +199,8 @@ RunFacts RunFactsCollector::facts() const {
   if (tracking_error_) {
     facts.tracking_error = tracking_error_->of_encoders();
     facts.command_tracking_error = tracking_error_->of_set_points();
+    facts.rms_tracking_error_mm = tracking_error_->rms_of_encoders_mm();
+    facts.rms_command_tracking_error_mm = tracking_error_->rms_of_set_points_mm();
   }
   facts.moves_waiting = std::ssize(waiting_);
   facts.planning = !waiting_.empty() && last_.load[1].awake_cycles >= kTickCycles;

@@ -123,6 +123,8 @@ struct RunFacts {
   double solver_difference_pulses = 0;                  // largest, of their joint angles from software
   std::optional<PathDeviation> tracking_error;          // of the encoders
   std::optional<PathDeviation> command_tracking_error;  // of the set-points
+  std::optional<double> rms_tracking_error_mm;          // of the encoders
+  std::optional<double> rms_command_tracking_error_mm;  // of the set-points
 
   CommandNames names;                        // for messages about commands
   std::vector<ProgramEvent> program_events;  // in the order of time

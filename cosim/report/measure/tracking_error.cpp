@@ -1,5 +1,7 @@
 #include "cosim/report/measure/tracking_error.hpp"
 
+#include <cmath>
+
 #include "controller/base/timebase.hpp"
 #include "cosim/report/measure/path_distance.hpp"
 #include "cosim/time/clock.hpp"
@@ -46,8 +48,7 @@ void TrackingErrorMeter::add(const TraceRow& row) {
   judge(row.tool_point->encoder_mm, read_s, row, encoders_);
 }
 
-void TrackingErrorMeter::judge(const Eigen::Vector3d& point_mm, double t_s, const TraceRow& row,
-                               std::optional<PathDeviation>& largest) {
+void TrackingErrorMeter::judge(const Eigen::Vector3d& point_mm, double t_s, const TraceRow& row, Errors& errors) const {
   const Eigen::Vector3d on_part = point_mm - belt_.displacement_mm(part_, t_s) * direction_;
   PathDeviation nearest;
   for (const Path& path : paths_) {
@@ -55,7 +56,14 @@ void TrackingErrorMeter::judge(const Eigen::Vector3d& point_mm, double t_s, cons
     if (&path != &paths_.front() && mm >= nearest.mm) continue;
     nearest = {.mm = mm, .where = {.tick = row.tick, .at = Cycles{row.cycle}}, .move = path.move};
   }
-  if (!largest || nearest.mm > largest->mm) largest = nearest;
+  if (!errors.largest || nearest.mm > errors.largest->mm) errors.largest = nearest;
+  errors.squares_mm2 += nearest.mm * nearest.mm;
+  ++errors.count;
+}
+
+std::optional<double> TrackingErrorMeter::Errors::rms_mm() const {
+  if (count == 0) return std::nullopt;
+  return std::sqrt(squares_mm2 / static_cast<double>(count));
 }
 
 }  // namespace armature::cosim

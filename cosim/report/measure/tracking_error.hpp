@@ -29,15 +29,25 @@ class TrackingErrorMeter {
   void add(const TraceRow& row);  // measures only rows with a tool point
 
   // The largest of the run; none: no row was measured.
-  [[nodiscard]] const std::optional<PathDeviation>& of_set_points() const { return set_points_; }
-  [[nodiscard]] const std::optional<PathDeviation>& of_encoders() const { return encoders_; }
+  [[nodiscard]] const std::optional<PathDeviation>& of_set_points() const { return set_points_.largest; }
+  [[nodiscard]] const std::optional<PathDeviation>& of_encoders() const { return encoders_.largest; }
+  // Over all measured rows.
+  [[nodiscard]] std::optional<double> rms_of_set_points_mm() const { return set_points_.rms_mm(); }
+  [[nodiscard]] std::optional<double> rms_of_encoders_mm() const { return encoders_.rms_mm(); }
 
  private:
   struct Path {
     PositionPath path;
     Tag move{};
   };
-  void judge(const Eigen::Vector3d& point_mm, double t_s, const TraceRow& row, std::optional<PathDeviation>& largest);
+  struct Errors {
+    std::optional<PathDeviation> largest;
+    double squares_mm2 = 0;
+    std::int64_t count = 0;
+
+    [[nodiscard]] std::optional<double> rms_mm() const;
+  };
+  void judge(const Eigen::Vector3d& point_mm, double t_s, const TraceRow& row, Errors& errors) const;
 
   std::int64_t memory_ticks_;
   BeltMotion belt_;
@@ -47,8 +57,7 @@ class TrackingErrorMeter {
   std::vector<Path> paths_;  // on this part
   bool measures_ = false;
   std::int64_t synchronised_tick_ = 0;
-  std::optional<PathDeviation> set_points_;
-  std::optional<PathDeviation> encoders_;
+  Errors set_points_, encoders_;
 };
 
 }  // namespace armature::cosim
