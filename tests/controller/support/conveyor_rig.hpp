@@ -89,8 +89,9 @@ inline Real distance_to_line(const Point& p, const Point& from, const Point& to)
 struct ConveyorRig {
   using Belt = std::function<Real(Real)>;  // mm at a time in s
 
-  explicit ConveyorRig(Belt motion, const ControllerConfig& config = with_conveyor())
-      : rig{irb120(), config}, belt{std::move(motion)} {
+  explicit ConveyorRig(Belt motion, const ControllerConfig& config = with_conveyor(),
+                       const RobotModel& robot = irb120())
+      : rig{robot, config}, belt{std::move(motion)} {
     rig.on_each_trigger = [this] {
       rig.publish_belt(counts(rig.logic.triggers() - 1));
       if (rig.logic.triggers() < 10 || !rig.refusals.empty()) return;
