@@ -5,7 +5,7 @@ import re
 import shlex
 import tomllib
 
-from cli_program import SCENARIOS, Program, main
+from cli_program import ROOT, SCENARIOS, Program, main
 
 SCENARIO = SCENARIOS / "policy_conveyor"
 
@@ -17,11 +17,13 @@ class Train(Program):
         result = json.loads((self.folder / "out/summary.json").read_text())["result"]
         return result, (self.folder / "out/log.txt").read_text()
 
-    def test_the_command_in_the_network_of_the_scenario_makes_the_same_bytes(self):
-        text = (SCENARIO / "belt.policy").read_text()
-        command = shlex.split(re.search(r"^#   armature (.*)$", text, re.M).group(1))
-        self.armature(*command, "--test", 0, "--out", "made.policy")
-        self.assertEqual((self.folder / "made.policy").read_text(), text)
+    def test_the_command_in_a_network_makes_the_same_bytes(self):
+        for network in (SCENARIO / "belt.policy", ROOT / "tools/policy/vo2021_6r_dynamic.policy"):
+            with self.subTest(network=network.name):
+                text = network.read_text()
+                command = shlex.split(re.search(r"^#   armature (.*)$", text, re.M).group(1))
+                self.armature(*command, "--test", 0, "--out", "made.policy")
+                self.assertEqual((self.folder / "made.policy").read_text(), text)
 
     def test_the_network_halves_what_a_tuned_controller_leaves(self):
         """The table, with few belts."""

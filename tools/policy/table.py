@@ -1,0 +1,69 @@
+"""The table of the tracking errors of an arm, as Markdown."""
+
+import math
+
+from runs import WAYS
+from targets import DURATION_S
+
+HEAD = (
+    "| controller | mean rms mm | largest rms mm | worst mm | rms is larger | worst is larger | switched off | lost |\n"
+    "|---|---:|---:|---:|---:|---:|---:|---:|\n"
+)
+
+
+def compared_targets(results):
+    """Those whose part all controllers have followed to its end."""
+    return [
+        number
+        for number, followed in enumerate(zip(*results.values()))
+        if all(run.end == "released" and run.rms_mm is not None for run in followed)
+    ]
+
+
+def larger(own, base, value):
+    """The share of the targets for which a value is larger than that of the baseline."""
+    count = sum(getattr(a, value) > getattr(b, value) for a, b in zip(own, base))
+    return f"{100 * count / len(own):.1f} %"
+
+
+def row(way, results, compared):
+    own, base = ([results[name][number] for number in compared] for name in (way, "baseline"))
+    lost = sum(run.end != "released" for run in results[way])
+    if not compared:
+        return [WAYS[way].title, *["-"] * 6, lost]
+    figures = [
+        f"{math.fsum(run.rms_mm for run in own) / len(own):.4f}",
+        f"{max(run.rms_mm for run in own):.3f}",
+        f"{max(run.worst_mm for run in own):.3f}",
+    ]
+    if way == "baseline":
+        return [WAYS[way].title, *figures, "", "", "", lost]
+    ticks = sum(run.corrected + run.uncorrected for run in own)
+    off = 100 * sum(run.uncorrected for run in own) / max(ticks, 1)
+    return [WAYS[way].title, *figures, larger(own, base, "rms_mm"), larger(own, base, "worst_mm"), f"{off:.2f} %", lost]
+
+
+def line(cells):
+    return "| " + " | ".join(map(str, cells)) + " |\n"
+
+
+def figures_text(arm, results, seed):
+    """What depends on the seed only."""
+    targets = len(results["baseline"])
+    compared = compared_targets(results)
+    same = sum(a.sha256 == b.sha256 for a, b in zip(results["arm"], results["logic"]))
+    return (
+        f"**{arm.title}**, {targets} targets of seed {seed}, of which {len(compared)} are compared:\n\n"
+        + HEAD
+        + "".join(line(row(way, results, compared)) for way in WAYS)
+        + f"\nOn ARM and in logic the network gave the same bytes in all ticks of {same} of {targets} targets.\n"
+    )
+
+
+def speed_text(speed):
+    runs = round(speed.simulated_s / DURATION_S)
+    per_core = speed.simulated_s / 3600 / (speed.processor_s / 60)
+    return (
+        f"{runs} runs of {DURATION_S} s took {speed.wall_s / 60:.1f} min on two cores, of which other work had a share, and\n"
+        f"{speed.processor_s / 60:.1f} min of processor time: a minute of a core gives {per_core:.2f} simulated hours.\n"
+    )
