@@ -107,15 +107,6 @@ class LiveArm extends ArmView {
   }
 }
 
-function placeLinks(groups, kinematics, jointsDeg) {
-  const frames = kinematics.linkFrames(jointsDeg);
-  groups.forEach((group, i) => {
-    const matrix = group.matrix.fromArray(frames[i]);
-    for (const shift of [12, 13, 14]) matrix.elements[shift] /= kMmPerUnit;
-    group.matrixWorldNeedsUpdate = true;
-  });
-}
-
 // A second picture of the arm that one can look through.
 class ShadowArm {
   constructor(view, color, opacity) {

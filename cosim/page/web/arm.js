@@ -85,7 +85,7 @@ class ArmView {
     this.meshes = new ArmMeshes(this.run.meshes, this.run.kinematics);
     if (this.meshes.problem) element(this.box, 'p').textContent = this.meshes.problem;
     this.base = new THREE.Group();
-    if (this.meshes.base) addMesh(this.base, this.meshes.base, kBaseColor);
+    if (this.meshes.base) addMesh(this.base, this.meshes.base, kMetalColor);
     this.scene.add(this.base);
     this.links = this.run.kinematics.links.map((link, i) => this.addLink(link, i));
     this.links.push(this.addTool());
@@ -99,7 +99,7 @@ class ArmView {
     const along = new THREE.Vector3().subVectors(to, from);
     const size = along.length();
     if (size < 1e-6) return;
-    const material = new THREE.MeshStandardMaterial({ color, roughness: 0.6, metalness: 0.1 });
+    const material = surface(color);
     const mesh = new THREE.Mesh(new THREE.CylinderBufferGeometry(radius, radius, size, 24), material);
     mesh.position.copy(from).addScaledVector(along, 0.5);
     mesh.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), along.normalize());
@@ -113,8 +113,8 @@ class ArmView {
 
   // A flat cylinder about the axis of a joint.
   joint(group, radius) {
-    const material = new THREE.MeshStandardMaterial({ color: 0x6e7781, roughness: 0.6, metalness: 0.1 });
-    const mesh = new THREE.Mesh(new THREE.CylinderBufferGeometry(radius * 1.3, radius * 1.3, radius * 2.8, 32), material);
+    const shape = new THREE.CylinderBufferGeometry(radius * 1.3, radius * 1.3, radius * 2.8, 32);
+    const mesh = new THREE.Mesh(shape, surface(kMetalColor));
     mesh.rotation.x = Math.PI / 2;
     group.add(mesh);
   }
@@ -150,11 +150,7 @@ class ArmView {
 
   pose() {
     const row = this.run.rowAt(this.timeline.time);
-    const frames = this.run.kinematics.linkFrames(this.run.jointsAt(this.run.encoder, row));
-    this.links.forEach((group, i) => {
-      const matrix = group.matrix.fromArray(frames[i]);
-      for (const shift of [12, 13, 14]) matrix.elements[shift] /= kMmPerUnit;
-    });
+    placeLinks(this.links, this.run.kinematics, this.run.jointsAt(this.run.encoder, row));
     const commanded = this.run.kinematics.toolPoint(this.run.jointsAt(this.run.reference, row));
     this.target.position.set(...commanded).divideScalar(kMmPerUnit);
     this.render();
@@ -172,7 +168,8 @@ class ArmView {
 
   // From the front and from above, at this distance.
   lookFrom(center, distance) {
-    [this.base, ...this.links].forEach((group) => (group.visible = distance > this.reach / 4));  // nearer, it would hide the path
+    const visible = distance > this.reach / 4;  // nearer, the arm would hide the path
+    for (const group of [this.base, ...this.links]) group.visible = visible;
     this.controls.target.copy(center);
     this.camera.position.copy(center).addScaledVector(new THREE.Vector3(0.56, -0.73, 0.39), distance);
     this.target.scale.setScalar(distance / this.reach / 2);

@@ -24,13 +24,28 @@ function label(text, height) {
 const kLabelPixels = 40;
 const kLabelFont = '28px system-ui, "DejaVu Sans", sans-serif';
 
+// The matrix of a frame [mm] in the units of the scene.
+function placeAt(matrix, frame) {
+  matrix.fromArray(frame);
+  for (const shift of [12, 13, 14]) matrix.elements[shift] /= kMmPerUnit;
+  return matrix;
+}
+
+// The groups of the links of an arm, and of its tool, at these angles.
+function placeLinks(groups, kinematics, jointsDeg) {
+  const frames = kinematics.linkFrames(jointsDeg);
+  groups.forEach((group, i) => {
+    placeAt(group.matrix, frames[i]);
+    group.matrixWorldNeedsUpdate = true;
+  });
+}
+
 // `frames`: the key `frames` of summary.json.
 function addFrames(scene, frames, reach) {
   for (const frame of frames || []) {
     const group = new THREE.Group();
     group.matrixAutoUpdate = false;
-    const matrix = group.matrix.fromArray(poseMatrix(frame));
-    for (const shift of [12, 13, 14]) matrix.elements[shift] /= kMmPerUnit;
+    placeAt(group.matrix, poseMatrix(frame));
     group.add(new THREE.AxesHelper(reach * kFrameShare));
     const name = label(frame.name, reach * kFrameShare * 0.5);
     name.position.set(0, 0, -reach * kFrameShare * 0.35);

@@ -1,6 +1,6 @@
 // The shapes of the parts of the arm, as cosim/page/arm_meshes.cpp writes them.
 
-const kBaseColor = 0x6e7781;
+const kMetalColor = 0x6e7781;  // of base and joints
 
 class ArmMeshes {
   // `meshes`: null if the robot has none. A file gives each part as the arm stands with all joints at 0.
@@ -28,12 +28,14 @@ function meshGeometry(mesh) {
 
 // From the base to a link whose frame is this one [mm].
 function linkFromBase(frame) {
-  const matrix = new THREE.Matrix4().fromArray(frame);
-  for (const shift of [12, 13, 14]) matrix.elements[shift] /= kMmPerUnit;
-  return new THREE.Matrix4().getInverse(matrix);
+  return new THREE.Matrix4().getInverse(placeAt(new THREE.Matrix4(), frame));
+}
+
+// The material of all parts of an arm.
+function surface(color, more = {}) {
+  return new THREE.MeshStandardMaterial({ color, roughness: 0.6, metalness: 0.1, ...more });
 }
 
 function addMesh(group, geometry, color) {
-  const look = { color, roughness: 0.6, metalness: 0.1, flatShading: true, side: THREE.DoubleSide };
-  group.add(new THREE.Mesh(geometry, new THREE.MeshStandardMaterial(look)));
+  group.add(new THREE.Mesh(geometry, surface(color, { flatShading: true, side: THREE.DoubleSide })));
 }
