@@ -3,6 +3,7 @@
 import json
 
 from live_program import SCENARIOS, LivePage, main
+from mesh_files import write_part, write_scenario
 
 
 class Live(LivePage):
@@ -153,14 +154,9 @@ class Sliders(LivePage):
 
 class Meshes(LivePage):
     def test_the_parts_and_their_ghosts_have_the_shapes_of_the_files(self):
-        robot = (SCENARIOS / "robots/abb_irb120.toml").read_text()
         links = ", ".join(['"part.stl"'] * 6)
-        (self.folder / "abb_irb120.toml").write_text(f'{robot}\n[meshes]\nbase = "part.stl"\nlinks = [{links}]\n')
-        corners = "".join(f"vertex {corner}\n" for corner in ("0 0 0", "50 0 0", "0 50 0"))
-        facet = f"facet normal 0 0 1\nouter loop\n{corners}endloop\nendfacet\n"
-        (self.folder / "part.stl").write_text(f"solid part\n{facet}endsolid part\n")
-        scenario = (SCENARIOS / "pendant_jog/scenario.toml").read_text()
-        (self.folder / "jog.toml").write_text(scenario.replace('"abb_irb120"', '"abb_irb120.toml"'))
+        write_part(self.folder / "part.stl", [(0, 0, 0), (50, 0, 0), (0, 50, 0)])
+        write_scenario(self.folder / "jog.toml", SCENARIOS / "pendant_jog", f'base = "part.stl"\nlinks = [{links}]')
         self.open(self.live("jog.toml"))
         parts = "[...live.arm.links.slice(0, 6), live.arm.base, ...live.arm.shadow.links.slice(0, 6)]"
         counts = self.page.run(

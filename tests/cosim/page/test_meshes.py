@@ -1,9 +1,9 @@
 """The shapes of an arm's parts, from STL files, in the report."""
 
 import json
-import re
 
-from report_program import OURS, SCENARIOS, TINY, ReportProgram, main
+from mesh_files import write_part, write_scenario
+from report_program import OURS, TINY, ReportProgram, main
 
 MOVES = OURS / "joint_move_and_circle"
 ROBOT = "abb_irb120"
@@ -30,18 +30,9 @@ class Meshes(ReportProgram):
         ]
         return [json.loads(pose.stdout)["position_mm"] for pose in poses]
 
-    def write_part(self, name, points):
-        vertices = "".join("vertex {} {} {}\n".format(*point) for point in points)
-        facet = f"facet normal 0 0 0\nouter loop\n{vertices}endloop\nendfacet\n"
-        (self.folder / name).write_text(f"solid part\n{facet}endsolid part\n")
-
     def run_with(self, meshes, *options, scenario=MOVES, code=0):
         """A run of a copy of the scenario whose robot has these meshes."""
-        text = (scenario / "scenario.toml").read_text()
-        robot = re.search('robot = "(.*)"', text)[1]
-        keys = (SCENARIOS / "robots" / f"{robot}.toml").read_text()
-        (self.folder / f"{robot}.toml").write_text(f"{keys}\n[meshes]\n{meshes}\n")
-        (self.folder / "moves.toml").write_text(text.replace(f'"{robot}"', f'"{robot}.toml"').partition("[golden]")[0])
+        write_scenario(self.folder / "moves.toml", scenario, meshes)
         return self.armature("run", "moves.toml", "--out", "out", "--report", *options, code=code)
 
     def assert_near(self, shown, expected):
@@ -52,7 +43,7 @@ class Meshes(ReportProgram):
     def test_each_part_moves_with_its_joint(self):
         # A point of the hand that the first k joints move alone moves as if it belonged to the part of joint k.
         at_zero = self.points([0] * JOINTS)
-        self.write_part("part.stl", at_zero)
+        write_part(self.folder / "part.stl", at_zero)
         links = ", ".join(['"part.stl"'] * JOINTS)
         self.run_with(f'base = "part.stl"\nlinks = [{links}]')
         self.open("out/report.html")
@@ -66,7 +57,7 @@ class Meshes(ReportProgram):
         self.assert_near(self.page.run(f"{PLACES}(report.arm.base)"), at_zero)
 
     def test_a_part_without_a_file_is_a_simple_body(self):
-        self.write_part("part.stl", CORNERS)
+        write_part(self.folder / "part.stl", CORNERS)
         self.run_with('links = ["", "part.stl", "", "", "", ""]', scenario=TINY)
         self.open("out/report.html")
         kinds = "new Set(group.children.filter(child => child.isMesh).map(child => child.geometry.type))"
@@ -77,9 +68,9 @@ class Meshes(ReportProgram):
         self.assertEqual(self.page.run("report.arm.base.children.length"), 0)
 
     def test_a_file_that_has_changed_since_the_run_is_not_shown(self):
-        self.write_part("part.stl", CORNERS)
+        write_part(self.folder / "part.stl", CORNERS)
         self.run_with('base = "part.stl"', scenario=TINY)
-        self.write_part("part.stl", CORNERS[::-1])
+        write_part(self.folder / "part.stl", CORNERS[::-1])
         self.armature("report", "out")
         self.open("out/report.html")
         self.assertEqual(self.page.run("report.arm.base.children.length"), 0)
@@ -87,7 +78,7 @@ class Meshes(ReportProgram):
         self.assertEqual(note, "part.stl: The file has changed since the run.")
 
     def test_a_mesh_is_an_input_of_the_run_and_changes_nothing_else(self):
-        self.write_part("part.stl", CORNERS)
+        write_part(self.folder / "part.stl", CORNERS)
         self.run_with('base = "part.stl"', scenario=TINY)
         summary = json.loads((self.folder / "out/summary.json").read_text())
         self.assertIn("part.stl", [input["file"] for input in summary["inputs"]])
