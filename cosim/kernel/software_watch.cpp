@@ -65,9 +65,8 @@ void SoftwareWatch::on_event(const Event& event) {
 
 void SoftwareWatch::on_serial(const SerialEvent& event) {
   const bool is_in = event.direction == SerialDirection::kRx;
-  SerialBurst& burst = is_in ? serial_in_ : serial_out_;
-  burst.add(event);
-  signals_.set(is_in ? kSerialIn : kSerialOut, burst.text());
+  (is_in ? serial_in_ : serial_out_).add(event);
+  serial_changed_ = true;
 }
 
 void SoftwareWatch::begin(std::string_view type, Tag tag) {
@@ -92,6 +91,10 @@ void SoftwareWatch::show(const Processor& processor, const std::optional<Process
   signals_.set(kCore1, name_of(processor.core_state(1)));
   signals_.set(kBusBusy, access ? 1u : 0u);
   signals_.set(kBusReadData, read_data_);
+  if (std::exchange(serial_changed_, false)) {
+    signals_.set(kSerialIn, serial_in_.text());
+    signals_.set(kSerialOut, serial_out_.text());
+  }
   if (access) show_access(*access);
 }
 

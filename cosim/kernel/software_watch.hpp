@@ -50,6 +50,7 @@ class SoftwareWatch {
   bool faulted_ = false;
   std::uint32_t read_data_ = 0;
   SerialBurst serial_in_, serial_out_;  // of the controller
+  bool serial_changed_ = false;         // since the last show()
 };
 
 }  // namespace armature::cosim
