@@ -104,8 +104,8 @@ const KeyTable<ExpectSpec>& expect_keys() {
                   "drop. A fault that comes while all servo enables are low needs no response.")
                   .without("0"),
               key("max_stop_ticks", &ExpectSpec::max_stop_ticks, count("ticks"),
-                  "Largest allowed time from the begin of a `[[fault]]` to the drop of a servo enable, before the next "
-                  "fault. A fault without such a drop does not count. If there is none at all, the check fails."),
+                  "Largest allowed time from the begin of a `[[fault]]` until a servo enable drops. A fault does not "
+                  "count if the next one begins first, or if no enable drops. If no fault counts, the check fails."),
               key("unasked_stops", &ExpectSpec::unasked_stops, count(),
                   "Number of stops that nobody asked for: the tool came to rest between two paths of a chain, because "
                   "the controller had the second one before the tool began to brake, but had no plan that continues "
