@@ -15,6 +15,10 @@ class LiveArm extends ArmView {
     this.ghosts = [];
   }
 
+  get keepsPicture() {
+    return false;
+  }
+
   addPaths() {
     const zero = new Array(this.run.kinematics.links.length).fill(0);
     const point = new THREE.Vector3(...this.run.kinematics.toolPoint(zero)).divideScalar(kMmPerUnit);

@@ -1,11 +1,15 @@
-// Puts the page together when the program has said what arm it has, and shows each state in the next frame.
+// Puts the page together when the program has said what arm it has. The arm is drawn in each frame. Numbers, sliders and
+// lamps change less often: nobody reads a number that stands for 1/60 s, and each new text costs a layout of the page.
+const kPanelsEveryMs = 50;
+
 function showLive() {
   const connection = new Connection();
   const place = (id) => document.getElementById(id);
   const status = new Status(place('top'), connection);
   let latest = null;
   let parts = null;
-  let shown = 0;  // time of the state that is shown
+  let drawn = { t: 0 };  // the state that the arm shows
+  let panelsAt = 0;
 
   function build(hello) {
     const count = hello.arm.axes.length;
@@ -27,16 +31,27 @@ function showLive() {
     return { arm, past, plots, lamps, drive, jog, hand, program, faults, messages };
   }
 
-  function show() {
+  function show(now) {
     requestAnimationFrame(show);
     if (!latest || !parts) return;
-    const state = latest;
-    latest = null;
-    if (state.t < shown) parts.arm.clearTrail();
-    shown = state.t;
-    parts.arm.show(state.joints_deg, state.set_deg);
-    for (const part of [status, parts.past, parts.lamps, parts.drive, parts.jog, parts.hand, parts.program, parts.messages]) part.show(state);
+    if (latest !== drawn) showArm();
+    if (now - panelsAt < kPanelsEveryMs) return;
+    panelsAt = now;
+    window.live.state = latest;
+    for (const part of [status, parts.past, parts.lamps, parts.drive, parts.jog, parts.hand, parts.program, parts.messages]) part.show(latest);
+    if (!document.body.dataset.ready) afterNextFrame(() => connection.startBeats());
     document.body.dataset.ready = 'yes';
+  }
+
+  // When the picture of this frame is on the screen.
+  function afterNextFrame(act) {
+    requestAnimationFrame(() => requestAnimationFrame(act));
+  }
+
+  function showArm() {
+    if (latest.t < drawn.t) parts.arm.clearTrail();
+    drawn = latest;
+    parts.arm.show(latest.joints_deg, latest.set_deg);
   }
 
   connection.listen('hello', (hello) => {
@@ -45,7 +60,6 @@ function showLive() {
   });
   connection.listen('state', (state) => {
     latest = state;
-    window.live.state = state;
     window.live.states = (window.live.states || 0) + 1;
     if (parts) parts.plots.add(state);
   });

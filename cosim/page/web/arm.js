@@ -12,7 +12,7 @@ class ArmView {
       return;
     }
     try {
-      this.renderer = new THREE.WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
+      this.renderer = new THREE.WebGLRenderer({ antialias: true, preserveDrawingBuffer: this.keepsPicture });
     } catch (error) {
       element(this.box, 'p').textContent = 'This browser has no WebGL, so there is no picture of the arm.';
       return;
@@ -38,6 +38,11 @@ class ArmView {
     });
     new ResizeObserver(() => this.resize()).observe(this.box);
     this.resize();
+  }
+
+  // The picture can be saved or copied after it was drawn. That costs a copy in each frame.
+  get keepsPicture() {
+    return true;
   }
 
   addSurroundings() {
