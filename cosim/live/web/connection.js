@@ -1,4 +1,5 @@
-// The WebSocket to the program. It sends something every 100 ms: without that for a second the program stops the arm.
+// The WebSocket to the program. From startBeats() on it sends something every 100 ms: without that for a second the
+// program stops the arm.
 const kBeatMs = 100;
 const kAgainMs = 1000;
 
@@ -7,6 +8,10 @@ class Connection {
     this.listeners = { hello: [], state: [], forward: [], inverse: [], error: [], status: [] };
     this.status = 'connecting';
     this.open();
+  }
+
+  // Call it once, when the page has been shown. Drawing the first picture can block it for seconds.
+  startBeats() {
     setInterval(() => this.send({ do: 'beat' }), kBeatMs);
   }
 

@@ -73,6 +73,21 @@ class Session(LivePage):
         self.hold("0+", f"live.state.joints_deg[0] > {deg + 0.5}")
         self.mouse("mouseReleased", '[data-jog="0+"]')
 
+    def test_a_slow_first_picture_does_not_stop_the_arm(self):
+        slow = """const draw = window.requestAnimationFrame;
+          const blocked_ms = [300, 1500];
+          window.requestAnimationFrame = (show) => draw.call(window, (now) => {
+            const end = performance.now() + (window.live && blocked_ms.shift() || 0);
+            while (performance.now() < end);
+            show(now);
+          });"""
+        process = self.live("pendant_jog")
+        script = self.page.of_page("Page.addScriptToEvaluateOnNewDocument", source=slow)["identifier"]
+        self.addCleanup(self.page.of_page, "Page.removeScriptToEvaluateOnNewDocument", identifier=script)
+        self.open(process)
+        self.switch_on()
+        self.assertEqual(self.state("messages"), ["connected", "servo: ok"])
+
 
 if __name__ == "__main__":
     main()
