@@ -23,7 +23,7 @@ namespace armature {
 // What the conveyor needs: all null without one. They must outlive its source.
 struct BeltParts {
   const ConveyorConfig* config = nullptr;
-  BeltEncoder* encoder = nullptr;
+  BeltSensor* sensor = nullptr;
   BeltCorrection* correction = nullptr;  // null without a network
 };
 
@@ -35,8 +35,8 @@ struct Sources {
         jog{robot, arm, flange_T_tool, events},
         stream{robot, events},
         homing{robot, logic, events} {
-    if (belt.config == nullptr || belt.encoder == nullptr) return;
-    conveyor.emplace(robot, arm, flange_T_tool, *belt.config, *belt.encoder, channel, events, belt.correction);
+    if (belt.config == nullptr || belt.sensor == nullptr) return;
+    conveyor.emplace(robot, arm, flange_T_tool, *belt.config, *belt.sensor, channel, events, belt.correction);
   }
 
   // By ActivityId; null without a conveyor.

@@ -92,7 +92,7 @@ void Controller::core0_main(RegisterBus& bus, InverseSolver* solver) noexcept {
   }
   InverseCheck* check = cordic ? &cordic->check() : nullptr;
   Core0Reporter reporter{core0_writer_, channel_, bus};
-  BeltParts belt{.config = planning_.conveyor ? &*planning_.conveyor : nullptr, .encoder = &belt_};
+  BeltParts belt{.config = planning_.conveyor ? &*planning_.conveyor : nullptr, .sensor = &belt_};
   std::optional<BeltCorrection> correction;
   if (belt.config != nullptr && belt.config->policy) belt.correction = &correction.emplace(bus, *belt.config->policy);
   const auto run_on = [&](LogicPort& logic) {

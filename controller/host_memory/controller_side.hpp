@@ -33,12 +33,15 @@ class Core1Writer final : public EventListener {
   HostMemory& memory_;
 };
 
-// Core 0 reads the encoder of the conveyor, which the host publishes as a fieldbus master would.
-class BeltReader final : public BeltEncoder {
+// Core 0 reads the samples of the conveyor, which the host publishes as a fieldbus master would.
+class BeltReader final : public BeltSensor {
  public:
   explicit BeltReader(HostMemory& memory) noexcept : memory_{memory} {}
-  [[nodiscard]] std::int64_t counts() noexcept override {
-    return std::atomic_ref<std::int64_t>{memory_.belt_counts}.load(std::memory_order_acquire);
+  // A number that is new has its count, because the host writes the count first.
+  [[nodiscard]] Sample latest() noexcept override {
+    const std::uint32_t number = std::atomic_ref<std::uint32_t>{memory_.belt_sample}.load(std::memory_order_acquire);
+    return {.counts = std::atomic_ref<std::int64_t>{memory_.belt_counts}.load(std::memory_order_relaxed),
+            .number = number};
   }
 
  private:

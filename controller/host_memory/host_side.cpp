@@ -16,7 +16,9 @@ bool HostSide::has_room(Source source) const noexcept {
 }
 
 void HostSide::publish_belt(std::int64_t counts) noexcept {
-  std::atomic_ref<std::int64_t>{memory_.belt_counts}.store(counts, std::memory_order_release);
+  std::atomic_ref<std::int64_t>{memory_.belt_counts}.store(counts, std::memory_order_relaxed);
+  const std::atomic_ref<std::uint32_t> number{memory_.belt_sample};
+  number.store(number.load(std::memory_order_relaxed) + 1, std::memory_order_release);
 }
 
 std::optional<Event> HostSide::next_event() noexcept {

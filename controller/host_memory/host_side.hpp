@@ -26,7 +26,7 @@ class HostSide {
   // Writes a command to the ring of its source; the host then wakes core 1. False when the ring is full.
   [[nodiscard]] bool submit(Source source, const Command& command) noexcept;
 
-  // Publishes the count of the encoder of the conveyor. The controller reads the latest one in each tick.
+  // Publishes a sample of the encoder or the camera of the conveyor. The controller reads the latest one in each tick.
   void publish_belt(std::int64_t counts) noexcept;
 
   // Whether submit() has room for a command of the source.

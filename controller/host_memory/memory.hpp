@@ -89,9 +89,11 @@ struct HostMemory {
   CommandRings commands{};         // one ring for each source, written by the host
   Core0Events core0_events{};      // written by core 0
   Core1Events core1_events{};      // written by core 1
-  std::int64_t belt_counts{};      // encoder of the conveyor, written by the host
+  std::int64_t belt_counts{};      // latest sample of the conveyor's encoder or camera, written by the host
+  std::uint32_t belt_sample{};     // its number, written after it
+  std::uint32_t reserved{};
   ARMATURE_MEMBERS(HostMemory, magic, bytes, layout, boot, robot, config, program, telemetry, commands, core0_events,
-                   core1_events, belt_counts)
+                   core1_events, belt_counts, belt_sample, reserved)
 };
 static_assert(std::is_standard_layout_v<HostMemory>);
 

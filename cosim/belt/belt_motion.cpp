@@ -47,8 +47,8 @@ double BeltMotion::position_mm(double t_s) const {
   return mm + spec_.wave_mm * math::sin(2.0 * std::numbers::pi / spec_.wave_length_mm * mm);
 }
 
-std::int64_t BeltMotion::counts(double t_s) const {
-  return static_cast<std::int64_t>(std::floor(position_mm(t_s) / spec_.mm_per_count));
+std::int64_t BeltMotion::counts(double t_s, double error_mm) const {
+  return static_cast<std::int64_t>(std::floor((position_mm(t_s) + error_mm) / spec_.mm_per_count));
 }
 
 double BeltMotion::displacement_mm(std::size_t part, double t_s) const {

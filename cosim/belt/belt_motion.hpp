@@ -14,8 +14,8 @@ class BeltMotion {
 
   // The distance that the belt has moved since the start, at a time >= 0.
   [[nodiscard]] double position_mm(double t_s) const;
-  // The count of its encoder.
-  [[nodiscard]] std::int64_t counts(double t_s) const;
+  // The count of its encoder, or of a camera that is wrong by `error_mm`.
+  [[nodiscard]] std::int64_t counts(double t_s, double error_mm = 0) const;
   // The same of a part since it passed the sync point, by its index in ConveyorSpec::part_s.
   [[nodiscard]] double displacement_mm(std::size_t part, double t_s) const;
 

@@ -19,6 +19,13 @@ struct BeltSpeedSpec {
   double speed_mm_s = 0;
 };
 
+// [conveyor.camera]: a camera measures where the belt is, instead of an encoder.
+struct BeltCameraSpec {
+  double period_ms = 20;
+  double dead_time_ms = 40;
+  double noise_mm = 0.2;  // standard deviation of a sample
+};
+
 // [conveyor.policy]: a network corrects where the belt is expected.
 struct BeltPolicySpec {
   std::string file_name;  // as written, relative to the scenario
@@ -38,6 +45,7 @@ struct ConveyorSpec {
   double accel_mm_s2 = 2000;
   double speed_tolerance_percent = 10;
   double lead_ms = 0;
+  std::optional<BeltCameraSpec> camera{};  // none: an encoder
   std::optional<BeltPolicySpec> policy{};  // none: no network
 
   // The motion of the belt.

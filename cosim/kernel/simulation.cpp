@@ -54,7 +54,8 @@ Simulation::Simulation(const Scenario& scenario, std::unique_ptr<Soc> soc, Simul
   soc_->add_to_waves(software_.signals());
   if (scenario.conveyor) {
     belt_.emplace(*scenario.conveyor);
-    host_.publish_belt(belt_counts());
+    if (scenario.conveyor->camera) camera_.emplace(*scenario.conveyor->camera, scenario.seed);
+    if (!camera_) host_.publish_belt(belt_counts());
   }
   if (scenario.serial) connect_serial_line(peer);
   drive_inputs();
@@ -359,6 +360,14 @@ std::int64_t Simulation::belt_counts() const {
   return belt_->counts(to_seconds(now()));
 }
 
+// The count of the encoder in each tick; of a camera, a sample when it arrives.
+void Simulation::publish_belt() {
+  if (!camera_) return host_.publish_belt(belt_counts());
+  const std::optional<std::int64_t> sample = camera_->arriving(triggers_);
+  if (!sample) return;
+  host_.publish_belt(belt_->counts(to_seconds(now()) - camera_->dead_time_s(), camera_->noise_mm(*sample)));
+}
+
 void Simulation::report_outputs(std::uint16_t levels) {
   for (unsigned changed = levels ^ std::exchange(tool_outputs_, levels); changed != 0; changed &= changed - 1) {
     const int bit = std::countr_zero(changed);
@@ -370,7 +379,7 @@ void Simulation::on_trigger() {
   const Cycles here = now();
   conservation_.on_trigger(here);
   if (conservation_.violation()) fail_conservation();
-  if (belt_) host_.publish_belt(belt_counts());
+  if (belt_) publish_belt();
   // The time before the first trigger was start-up, not a tick.
   if (triggers_ == 0) processor_->reset_worst_tick();
 

@@ -14,6 +14,7 @@
 #include "controller/host_memory/boot_memory.hpp"
 #include "controller/host_memory/host_side.hpp"
 #include "controller/message/event.hpp"
+#include "cosim/belt/belt_camera.hpp"
 #include "cosim/belt/belt_motion.hpp"
 #include "cosim/check/conservation.hpp"
 #include "cosim/cpu/processor.hpp"
@@ -161,6 +162,7 @@ class Simulation final : private RunAhead {
   void report_outputs(std::uint16_t levels);
   void report_servo_enables();
   [[nodiscard]] std::int64_t belt_counts() const;
+  void publish_belt();
   void on_trigger();
   bool begin_faults_of_conditions();
   [[nodiscard]] std::array<CoreLoad, 2> load_until_now() const;
@@ -184,6 +186,7 @@ class Simulation final : private RunAhead {
   FaultInjector injector_;
   WaveWindow wave_;
   std::optional<BeltMotion> belt_;
+  std::optional<CameraSamples> camera_;
   std::optional<ScriptedPendant> pendant_;
   std::optional<SerialLine> serial_;
   std::optional<Processor::Access> access_;  // under way

@@ -12,6 +12,7 @@
 #include "controller/base/timebase.hpp"
 #include "controller/cell/conveyor_config.hpp"
 #include "controller/trajectory/profile/synchronise.hpp"
+#include "cosim/belt/belt_camera.hpp"
 #include "cosim/programs/gcode_files.hpp"
 #include "cosim/programs/program_name.hpp"
 #include "cosim/scenario/program_start.hpp"
@@ -86,6 +87,8 @@ BeltPolicyConfig to_policy_config(const BeltPolicySpec& policy) {
 ConveyorConfig to_conveyor_config(const ConveyorSpec& conveyor) {
   std::optional<BeltPolicyConfig> policy;
   if (conveyor.policy) policy = to_policy_config(*conveyor.policy);
+  std::optional<BeltCamera> camera;
+  if (conveyor.camera) camera = to_camera(*conveyor.camera);
   return {.base_T_part = to_transform({.xyz_mm = conveyor.xyz_mm, .rpy_deg = conveyor.rpy_deg}),
           .direction = to_vector(conveyor.direction).normalized(),
           .mm_per_count = conveyor.mm_per_count,
@@ -95,6 +98,7 @@ ConveyorConfig to_conveyor_config(const ConveyorSpec& conveyor) {
           .accel_mm_s2 = conveyor.accel_mm_s2,
           .speed_tolerance = conveyor.speed_tolerance_percent / 100.0,
           .lead_s = conveyor.lead_ms * 1e-3,
+          .camera = camera,
           .policy = policy};
 }
 

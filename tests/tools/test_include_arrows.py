@@ -87,7 +87,7 @@ COSIM = {
     "time": set(),
     "text": set(),
     "logic": set(),
-    "belt": set(),
+    "belt": {"time"},
     "net": {"text"},
     "dynamics": set(),
     "robot": {"text"},

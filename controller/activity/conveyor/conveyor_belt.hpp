@@ -1,4 +1,5 @@
-// Position and velocity of a belt from the counts of its encoder, and where the belt is expected a little later.
+// Position and velocity of a belt from the counts of its encoder or camera, and where the belt is expected a little
+// later.
 //
 // An observer of third order with equal poles estimates position, velocity and acceleration. It follows a constant
 // acceleration without error. Its position still jumps with the counts. So the expected position is that of a second
@@ -10,8 +11,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "controller/base/units.hpp"
+#include "controller/cell/conveyor_config.hpp"
 #include "controller/trajectory/state/phase_law.hpp"
 
 namespace armature {
@@ -22,6 +25,9 @@ class ConveyorBelt {
   struct Bandwidths {
     double observer = kBandwidth, second = kBandwidth;
   };
+  // For samples that come less often than each tick: an observer must see several within its own time, and the second
+  // system passes on what is left of the step at each sample.
+  [[nodiscard]] static Bandwidths bandwidths_for(const std::optional<BeltCamera>& camera) noexcept;
 
   // `ahead_s` >= 0: how much later than a sample the belt is expected.
   ConveyorBelt(double mm_per_count, double ahead_s, const Bandwidths& bandwidths) noexcept
@@ -33,10 +39,20 @@ class ConveyorBelt {
     return (static_cast<double>(counts) + 0.5) * mm_per_count;
   }
 
-  // The count of a tick, later than that of the last call. `correction_mm`: of the position that is expected.
-  void sample(std::int64_t counts, Ticks tick, double correction_mm = 0.0) noexcept;
+  // The count that the belt had in a tick, later than that of the last call.
+  void measure(std::int64_t counts, Ticks tick) noexcept;
+  // Once in each tick, after a sample that has come in it: what is expected in the tick, which is not before that of a
+  // sample. `correction_mm`: of the position that is expected.
+  void expect(Ticks tick, double correction_mm = 0.0) noexcept;
+  // Both, for a belt that is measured in each tick.
+  void sample(std::int64_t counts, Ticks tick, double correction_mm = 0.0) noexcept {
+    measure(counts, tick);
+    expect(tick, correction_mm);
+  }
 
-  // In mm, at the tick of the last sample.
+  // In mm, at the tick of the last expect().
+  [[nodiscard]] double now_mm() const noexcept { return now_mm_; }
+  // At the tick of the last sample.
   [[nodiscard]] double position_mm() const noexcept { return position_mm_; }
   [[nodiscard]] double velocity_mm_s() const noexcept { return velocity_mm_s_; }
   [[nodiscard]] double accel_mm_s2() const noexcept { return accel_mm_s2_; }
@@ -50,13 +66,14 @@ class ConveyorBelt {
  private:
   double mm_per_count_, ahead_s_;
   Bandwidths bandwidths_;
+  double now_mm_ = 0.0;
   double position_mm_ = 0.0;
   double velocity_mm_s_ = 0.0;
   double accel_mm_s2_ = 0.0;
   double error_mm_ = 0.0;
   AxisState target_{}, expected_{};
-  Ticks tick_{};
-  bool sampled_ = false;
+  Ticks measured_{}, expected_at_{};
+  bool sampled_ = false, expects_ = false;
 };
 
 }  // namespace armature

@@ -11,30 +11,39 @@
 namespace armature {
 
 ConveyorSource::ConveyorSource(const RobotModel& robot, const Arm& arm, const Transform& flange_T_tool,
-                               const ConveyorConfig& config, BeltEncoder& encoder, Channel& channel,
+                               const ConveyorConfig& config, BeltSensor& sensor, Channel& channel,
                                EventListener& events, BeltCorrection* correction) noexcept
     : robot_{robot},
       config_{config},
-      encoder_{encoder},
+      sensor_{sensor},
       store_{channel.part_store},
       plan_store_{channel.plan_store},
       events_{events},
-      belt_{config.mm_per_count, kTicksToEmit * kTickSeconds + config.lead_s},
+      belt_{config.mm_per_count, kTicksToEmit * kTickSeconds + config.lead_s,
+            ConveyorBelt::bandwidths_for(config.camera)},
+      observation_{config.camera},
       correction_{correction},
       motion_{robot, arm, config, flange_T_tool, 1.0},
       progress_{events} {}
 
 void ConveyorSource::observe(Ticks tick) noexcept {
   const double correction_mm = correction_ != nullptr ? correction_->collect() : 0.0;
-  belt_.sample(encoder_.counts(), tick, correction_mm);
-  if (correction_ != nullptr) {
-    observation_.add(belt_);
-    correction_->request(observation_.values());
-  }
-  store_.belt_mm.store(belt_.position_mm(), std::memory_order_relaxed);
+  sample_belt(tick);
+  belt_.expect(tick, correction_mm);
+  store_.belt_mm.store(belt_.now_mm(), std::memory_order_relaxed);
   store_.belt_mm_s.store(belt_.velocity_mm_s(), std::memory_order_relaxed);
+  // After that, so that core 1 gets the same whether core 0 computes the network or not.
+  if (correction_ != nullptr) correction_->request(observation_.values());
   const ConveyorRequest* late = phase_ == Phase::kOff ? store_.request.front() : nullptr;
   if (late != nullptr && !late->first) drop_next(Ticks{0}, Refusal::kPartLost);
+}
+
+// An encoder is read in each tick, a camera when it has a new sample.
+void ConveyorSource::sample_belt(Ticks tick) noexcept {
+  const BeltSensor::Sample sample = sensor_.latest();
+  if (config_.camera && std::exchange(samples_, sample.number) == sample.number) return;
+  belt_.measure(sample.counts, config_.camera ? tick - config_.camera->dead_time : tick);
+  if (correction_ != nullptr) observation_.add(belt_);
 }
 
 void ConveyorSource::begin(const Request&, const PerAxis<Radians>& stand, Ticks) noexcept {
@@ -62,7 +71,7 @@ SetPoint& ConveyorSource::advance(Ticks tick, const RunControl::View&) noexcept 
   if (request_done_) end_request();
   accept_orders(tick);
   const AxisState part = part_ahead();
-  result_.displacement_mm = belt_.position_mm() - part_mm_;
+  result_.displacement_mm = belt_.now_mm() - part_mm_;
   if (phase_ == Phase::kWaiting) {
     if (part.position > config_.to_mm) {
       end(PartEnd::kWindow, tick);

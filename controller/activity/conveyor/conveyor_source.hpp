@@ -5,8 +5,8 @@
 // paths the tool stands in the frame of the part. After a release the frame comes to rest. When the part leaves its
 // window, when the belt is too fast, when a set-point is impossible, and at a stop, each joint makes its fastest stop.
 //
-// A set-point is executed kTicksToEmit ticks after the sample of the belt, and `lead_s` later by the drives. The frame
-// is where the part is expected then.
+// A set-point is executed kTicksToEmit ticks after it was computed, and `lead_s` later by the drives. The frame is
+// where the part is expected then.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +32,7 @@ class ConveyorSource final : public ActivitySource {
  public:
   // References must outlive the source. `correction`: of the expected belt; null: none.
   ConveyorSource(const RobotModel& robot, const Arm& arm, const Transform& flange_T_tool, const ConveyorConfig& config,
-                 BeltEncoder& encoder, Channel& channel, EventListener& events,
+                 BeltSensor& sensor, Channel& channel, EventListener& events,
                  BeltCorrection* correction = nullptr) noexcept;
   ConveyorSource(const ConveyorSource&) = delete;
   ConveyorSource& operator=(const ConveyorSource&) = delete;
@@ -57,6 +57,7 @@ class ConveyorSource final : public ActivitySource {
   void follow(Ticks tick, const AxisState& part) noexcept;
   void report_progress(Ticks tick) noexcept;
   void end_request() noexcept;
+  void sample_belt(Ticks tick) noexcept;
   void count_corrections() noexcept;
   void end(PartEnd end, Ticks tick, std::uint8_t axis = 0) noexcept;
   void drop_request(Ticks tick, Refusal reason) noexcept;
@@ -67,14 +68,15 @@ class ConveyorSource final : public ActivitySource {
 
   const RobotModel& robot_;
   const ConveyorConfig& config_;
-  BeltEncoder& encoder_;
+  BeltSensor& sensor_;
   PartStore& store_;
   PlanStore& plan_store_;
   EventListener& events_;
   ConveyorBelt belt_;
-  BeltObservation observation_{};
+  BeltObservation observation_;
   BeltCorrection* correction_;
   PolicyGuard::Counts counts_at_begin_{};  // of correction_
+  std::uint32_t samples_ = 0;              // number of the last one
   ConveyorMotion motion_;
   Phase phase_ = Phase::kOff;
   const ConveyorRequest* request_ = nullptr;  // in the store, being executed

@@ -17,6 +17,8 @@ constexpr double kFirstAhead_s = 0.3;
 constexpr double kNextAhead_s = 0.05;
 // A plan is checked for this time after its end, if the frame has not reached the part before.
 constexpr double kCatchUp_s = 2.0;
+// A target that a camera sees as slow as this may rest, or come back: the path begins where it is.
+constexpr double kRestSpeed = 20.0;  // mm/s
 // The least change of the speed of the belt that a plan is checked for.
 constexpr double kLeastSpeedTolerance = 1.0;  // mm/s
 constexpr int kPasses = 2;
@@ -42,7 +44,8 @@ PartPlanning::Ready PartPlanning::prepare_first() noexcept {
   approaching_ = false;
   speed_mm_s_ = belt_mm_s();
   while (const Part* part = parts_.front()) {
-    const double now_mm = belt_mm() - part->at_mm, begin_mm = now_mm + speed_mm_s_ * kFirstAhead_s;
+    rests_ = conveyor_.camera && std::fabs(speed_mm_s_) < kRestSpeed;
+    const double now_mm = belt_mm() - part->at_mm, begin_mm = rests_ ? now_mm : now_mm + speed_mm_s_ * kFirstAhead_s;
     if (begin_mm > conveyor_.to_mm) {
       missed_ = PartFollowed{.phase = PartPhase::kMissed, .part = part->number, .displacement_mm = now_mm};
       parts_.drop_front();
@@ -152,7 +155,7 @@ bool PartPlanning::send(const CartesianPlan& plan) noexcept {
   request.planned_mm = planned_mm_;
   request.first = first_;
   request.part_mm = part_.at_mm;
-  request.begin_mm = begin_mm_;
+  request.begin_mm = rests_ ? conveyor_.from_mm : begin_mm_;
   request.part = part_.number;
   send_request();
   return first_;

@@ -103,6 +103,7 @@ class PartPlanning {
 
   Part part_{};  // that is followed, or will be
   bool first_ = true;
+  bool rests_ = false;  // it need not come nearer
   double begin_mm_ = 0.0;
   double planned_mm_ = 0.0;
   double speed_mm_s_ = 0.0;  // of the belt, when the planning began

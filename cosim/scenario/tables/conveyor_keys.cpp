@@ -63,9 +63,24 @@ const KeyTable<BeltSpeedSpec>& belt_speed_keys() {
       .text = "Each table changes the speed of the belt, in the order of time.",
       .keys = {
           at_key<BeltSpeedSpec>("Time at which the change begins.").checked(check_belt_order),
-          key("speed_mm_s", &BeltSpeedSpec::speed_mm_s, between(0, kMaxBeltSpeed, "mm/s"),
-              "New speed. 0 stops the belt.")
+          key("speed_mm_s", &BeltSpeedSpec::speed_mm_s, between(-kMaxBeltSpeed, kMaxBeltSpeed, "mm/s"),
+              "New speed. 0 stops the belt, a negative one moves it back.")
               .required(),
+      }};
+  return kTable;
+}
+
+const KeyTable<BeltCameraSpec>& belt_camera_keys() {
+  static const KeyTable<BeltCameraSpec> kTable{
+      .text =
+          "A camera measures where the belt is, instead of an encoder. The belt may then be a target that a hand moves "
+          "along a line. Its times are in whole ticks of 0.05 ms. The controller knows them.",
+      .keys = {
+          key("period_ms", &BeltCameraSpec::period_ms, between(0.05, 1'000, "ms"), "Time between two samples."),
+          key("dead_time_ms", &BeltCameraSpec::dead_time_ms, between(0, 1'000, "ms"),
+              "Time from the moment that a sample shows until the controller has it."),
+          key("noise_mm", &BeltCameraSpec::noise_mm, between(0, 100, "mm"),
+              "Standard deviation of a sample, drawn with `seed` of the scenario."),
       }};
   return kTable;
 }
@@ -146,6 +161,7 @@ const KeyTable<ConveyorSpec>& conveyor_keys() {
                   "Distance that the belt moves in one turn of its drum."),
           },
       .tables = {tables("speed", &ConveyorSpec::speeds, belt_speed_keys()),
+                 table("camera", &ConveyorSpec::camera, belt_camera_keys()),
                  table("policy", &ConveyorSpec::policy, belt_policy_keys())}};
   return kTable;
 }

@@ -44,6 +44,31 @@ frame = "conveyor"
   EXPECT_EQ(std::get<CartesianMove>(to_command(scenario.moves[0])).target.frame, kConveyorFrame);
 }
 
+TEST(ScenarioConveyor, TheControllerGetsTheTimesOfACameraInTicks) {
+  const test::TempFolder folder;
+  const Scenario scenario = load_scenario(folder.write("s/scenario.toml", R"(description = "test"
+robot = "abb_irb120"
+duration_s = 3
+[conveyor]
+xyz_mm = [400, -200, 100]
+window_mm = [10, 300]
+[conveyor.camera]
+period_ms = 33.33
+dead_time_ms = 60
+[[conveyor.speed]]
+at_s = 1
+speed_mm_s = -80
+)"),
+                                          test::shipped());
+  const std::optional<BeltCamera> camera = to_controller_config(scenario).conveyor->camera;
+  ASSERT_TRUE(camera);
+  EXPECT_EQ(camera->period, Ticks{667});
+  EXPECT_EQ(camera->dead_time, Ticks{1'200});
+  EXPECT_EQ(scenario.conveyor->camera->noise_mm, 0.2);
+  const BeltMotion belt{*scenario.conveyor};
+  EXPECT_NEAR(belt.position_mm(3) - belt.position_mm(2), -80, 1e-9);
+}
+
 constexpr const char* kWithPolicy = R"(description = "test"
 robot = "abb_irb120"
 duration_s = 3

@@ -126,6 +126,21 @@ TEST(BeltCorrection, MovesTheExpectedBeltByNoMoreThanTheBound) {
   EXPECT_GT(largest, 0.99 * kFull_mm);
 }
 
+TEST(BeltObservation, HasMeansOverWholePeriodsOfACamera) {
+  const BeltCamera camera{.period = Ticks{400}};
+  ConveyorBelt belt{0.05, 0.0, ConveyorBelt::bandwidths_for(camera)};
+  BeltObservation observation{camera};
+  double shortest = 0, longest = 0;
+  for (std::int64_t sample = 0; sample < 100; ++sample) {
+    belt.measure(sample * sample, Ticks{400 * sample});
+    observation.add(belt);
+    shortest += (belt.error_mm() - shortest) / 2;  // over one period
+    longest += (belt.error_mm() - longest) / 37;   // over 36
+    EXPECT_NEAR(observation.values()[0], shortest, 1e-12);
+    EXPECT_NEAR(observation.values()[7], longest, 1e-12);
+  }
+}
+
 TEST(BeltObservation, HasMeansOfTheErrorOfThePrediction) {
   ConveyorBelt belt{0.05, 0.0};
   BeltObservation observation;

@@ -11,9 +11,9 @@
 namespace armature {
 namespace {
 
-class StandingBelt final : public BeltEncoder {
+class StandingBelt final : public BeltSensor {
  public:
-  [[nodiscard]] std::int64_t counts() noexcept override { return 0; }
+  [[nodiscard]] Sample latest() noexcept override { return {}; }
 };
 
 class Refused final : public EventListener {

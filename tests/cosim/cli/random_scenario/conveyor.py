@@ -1,4 +1,4 @@
-"""[conveyor], [[conveyor.speed]] and [conveyor.policy]."""
+"""[conveyor], [[conveyor.speed]], [conveyor.camera] and [conveyor.policy]."""
 
 import zlib
 
@@ -37,7 +37,12 @@ def put_conveyor(draft):
     for at_s in sorted({draft.at() for _ in range(rng.choice([0, 0, 1, 3]))}):
         draft.table("conveyor.speed", "[[conveyor.speed]]")
         draft.put("at_s", at_s)
-        draft.put("speed_mm_s", rng.choice([0, 0.5, 50, 10000]))
+        draft.put("speed_mm_s", rng.choice([0, 0.5, -50, 50, -10000, 10000]))
+    if rng.random() < 0.3:
+        draft.table("conveyor.camera")
+        draft.maybe("period_ms", lambda: rng.choice([0.05, 20, 33.33, 1000]))
+        draft.maybe("dead_time_ms", lambda: rng.choice([0, 40, 1000]))
+        draft.maybe("noise_mm", lambda: rng.choice([0, 0.01, 100]))
 
 
 def put_policy(draft):
