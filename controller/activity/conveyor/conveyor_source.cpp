@@ -27,7 +27,7 @@ ConveyorSource::ConveyorSource(const RobotModel& robot, const Arm& arm, const Tr
       progress_{events} {}
 
 void ConveyorSource::observe(Ticks tick) noexcept {
-  const double correction_mm = correction_ != nullptr ? correction_->collect() : 0.0;
+  const double correction_mm = this->correction_mm();
   sample_belt(tick);
   belt_.expect(tick, correction_mm);
   store_.belt_mm.store(belt_.now_mm(), std::memory_order_relaxed);
@@ -46,13 +46,23 @@ void ConveyorSource::sample_belt(Ticks tick) noexcept {
   if (correction_ != nullptr) observation_.add(belt_);
 }
 
+double ConveyorSource::correction_mm() noexcept {
+  if (correction_ == nullptr) return 0.0;
+  const std::uint32_t used = correction_->counts().used;
+  const double correction_mm = correction_->collect();
+  if (!withholds_) return correction_mm;
+  withheld_ += correction_->counts().used - used;
+  return 0.0;
+}
+
 void ConveyorSource::begin(const Request&, const PerAxis<Radians>& stand, Ticks) noexcept {
   request_ = store_.request.front();
   progress_.begin();
   phase_ = Phase::kWaiting;
   part_mm_ = request_->part_mm;
   begin_mm_ = request_->begin_mm;
-  synchronised_ = request_done_ = release_ = stop_ = false;
+  synchronised_ = request_done_ = release_ = stop_ = withholds_ = false;
+  withheld_ = 0;
   result_ = {.part = request_->part, .tag = tag_of(request_->plan, 0)};
   if (correction_ != nullptr) counts_at_begin_ = correction_->counts();
   set_point_ = {.position = stand};
@@ -135,6 +145,9 @@ void ConveyorSource::follow(Ticks tick, const AxisState& part) noexcept {
   report_progress(tick);
   if (synchronised_) {
     result_.deviation_mm = std::max(result_.deviation_mm, std::fabs(motion_.deviation_mm()));
+    if (config_.policy && std::fabs(motion_.deviation_mm()) > kMostDeviation_mm + config_.policy->full_mm) {
+      withholds_ = true;
+    }
   } else if (motion_.synchronised()) {
     synchronised_ = true;
     report(PartPhase::kSynchronised, tick);
@@ -192,9 +205,9 @@ void ConveyorSource::end(PartEnd end, Ticks tick, std::uint8_t axis) noexcept {
 void ConveyorSource::count_corrections() noexcept {
   if (correction_ == nullptr) return;
   const PolicyGuard::Counts &now = correction_->counts(), &then = counts_at_begin_;
-  result_.corrected = now.used - then.used;
+  result_.corrected = now.used - then.used - withheld_;
   result_.out_of_range = now.out_of_range - then.out_of_range;
-  result_.no_result = now.late + now.invalid - then.late - then.invalid;
+  result_.no_result = now.late + now.invalid + withheld_ - then.late - then.invalid;
 }
 
 void ConveyorSource::drop_request(Ticks tick, Refusal reason) noexcept {

@@ -7,6 +7,9 @@
 //
 // A set-point is executed kTicksToEmit ticks after it was computed, and `lead_s` later by the drives. The frame is
 // where the part is expected then.
+//
+// A network may correct where the belt is expected. When the frame leaves the expected part by more than
+// kMostDeviation_mm because it cannot accelerate as the corrections want, there is none until the part is over.
 #pragma once
 
 #include <cstdint>
@@ -30,6 +33,8 @@ namespace armature {
 
 class ConveyorSource final : public ActivitySource {
  public:
+  static constexpr double kMostDeviation_mm = 3.0;  // and the largest correction
+
   // References must outlive the source. `correction`: of the expected belt; null: none.
   ConveyorSource(const RobotModel& robot, const Arm& arm, const Transform& flange_T_tool, const ConveyorConfig& config,
                  BeltSensor& sensor, Channel& channel, EventListener& events,
@@ -58,6 +63,7 @@ class ConveyorSource final : public ActivitySource {
   void report_progress(Ticks tick) noexcept;
   void end_request() noexcept;
   void sample_belt(Ticks tick) noexcept;
+  [[nodiscard]] double correction_mm() noexcept;
   void count_corrections() noexcept;
   void end(PartEnd end, Ticks tick, std::uint8_t axis = 0) noexcept;
   void drop_request(Ticks tick, Refusal reason) noexcept;
@@ -76,6 +82,8 @@ class ConveyorSource final : public ActivitySource {
   BeltObservation observation_;
   BeltCorrection* correction_;
   PolicyGuard::Counts counts_at_begin_{};  // of correction_
+  bool withholds_ = false;                 // corrections, until the part is over
+  std::uint32_t withheld_ = 0;             // of this part
   std::uint32_t samples_ = 0;              // number of the last one
   ConveyorMotion motion_;
   Phase phase_ = Phase::kOff;

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "controller/activity/conveyor/conveyor_source.hpp"
 #include "controller/policy/policy_network.hpp"
 #include "controller/regs/policy_mlp_regs.hpp"
 #include "controller/regs/soc_map.hpp"
@@ -164,6 +165,28 @@ TEST(PolicyEnvelope, NoOutputOfANetworkMovesAJointBeyondItsLimits) {
   EXPECT_GE(ends[PartEnd::kTooFast], test::least(1));
   EXPECT_GE(ends[PartEnd::kCannotFollow], test::least(8));
   EXPECT_GE(ends[PartEnd::kStopped], test::least(15));
+}
+
+// The frame cannot follow outputs that jump at this rate, and falls behind the part.
+TEST(PolicyEnvelope, WithholdsTheCorrectionsOfANetworkThatLeadsTheToolAway) {
+  constexpr double kLargest_mm = 2.0;
+  ControllerConfig config = with_conveyor(3'000.0);
+  config.conveyor->policy = any_network(kLargest_mm);
+  ConveyorRig conveyor{hundred, config};
+  conveyor.line_at(10, -40.0, 1u);
+  conveyor.line_at(10, -60.0, 2u, 20.0);
+  conveyor.leave();
+  plant(conveyor, [](std::int64_t tick) {
+    constexpr std::int64_t kSynchronised = 36'000;
+    return tick < kSynchronised ? 0 : tick / 500 % 2 == 0 ? 127 : -127;
+  });
+  conveyor.rig.run(5 * kSecond);
+  ASSERT_EQ(conveyor.ends(), std::vector{PartEnd::kReleased});
+  const PartFollowed& end = conveyor.rig.parts.back();
+  EXPECT_GT(end.deviation_mm, ConveyorSource::kMostDeviation_mm + kLargest_mm);
+  EXPECT_LT(end.deviation_mm, ConveyorSource::kMostDeviation_mm + 1.5 * kLargest_mm);
+  EXPECT_GT(end.corrected, 1'000u);
+  EXPECT_GT(end.no_result, 10'000u);
 }
 
 }  // namespace
