@@ -2,11 +2,10 @@
 
 import multiprocessing
 import resource
-import time
 from dataclasses import dataclass
 
 import armature
-from targets import DURATION_S, SCENARIO, robot_of, settings_of_arm, settings_of_belt
+from targets import robot_of, settings_of_arm, settings_of_belt
 
 
 @dataclass(frozen=True)
@@ -40,14 +39,14 @@ class Followed:
 class Speed:
     """What runs have cost."""
 
-    simulated_s: float
+    runs: int
+    simulated_s: float  # of each
     processor_s: float
-    wall_s: float
 
 
 def run_target(arm, robot, seed, number, more=()):
     settings = [*settings_of_arm(arm, robot), *settings_of_belt(arm, seed, number), *more]
-    result = armature.run(SCENARIO, set=settings, engine="model")["result"]
+    result = armature.run(arm.kind.scenario, set=settings, engine="model")["result"]
     if result["failure"]:
         raise RuntimeError(f"target {number} of {arm.name}: {result['failure']}")
     ends, worst = result["conveyor_ends"], result["tracking_error"]
@@ -70,18 +69,18 @@ def run_all(arm, targets, seed, jobs, folder):
     """{way: [Followed of each target]}, and what it cost."""
     robot = robot_of(arm, folder)
     tasks = [(arm, robot, seed, number, way) for way in WAYS for number in range(targets)]
-    results, speed = run_each(_run_one, tasks, jobs)
+    results, speed = run_each(_run_one, tasks, jobs, arm.kind.duration_s)
     return {way: results[index * targets :][:targets] for index, way in enumerate(WAYS)}, speed
 
 
-def run_each(work, tasks, jobs):
-    """The results of work(task), a run each, in the order of the tasks; and what they cost."""
-    wall_s, processor_s = time.perf_counter(), _processor_s()
+def run_each(work, tasks, jobs, duration_s):
+    """The results of work(task), a run of `duration_s` each, in the order of the tasks; and what they cost."""
+    processor_s = _processor_s()
     pool = multiprocessing.Pool(jobs)
     results = pool.map(work, tasks, chunksize=4)
     pool.close()
     pool.join()
-    return results, Speed(len(tasks) * DURATION_S, _processor_s() - processor_s, time.perf_counter() - wall_s)
+    return results, Speed(len(tasks), duration_s, _processor_s() - processor_s)
 
 
 def _processor_s():

@@ -10,7 +10,7 @@ import numpy
 from armature import policy
 from runs import run_each
 from table import line
-from targets import ARMS, SCENARIO, SCENARIOS, robot_of, settings_of_arm, settings_of_belt
+from targets import ARMS, SCENARIOS, robot_of, settings_of_arm, settings_of_belt
 
 TICK_S = 50e-6
 ROUNDING = 1e-6  # of the limits
@@ -113,7 +113,7 @@ def _run(task):
     wrong_network(arm.network, KINDS[kind], draw, network)
     settings = [*settings_of_arm(arm, robot), *settings_of_belt(arm, seed, number)]
     settings.append(f'conveyor.policy.file="{network}"')
-    run = armature.Run(armature.Scenario(SCENARIO, set=settings, engine="model"))
+    run = armature.Run(armature.Scenario(arm.kind.scenario, set=settings, engine="model"))
     run.advance_to_end()
     problem = beyond(run.trace("ref_deg"), limits_of(arm))
     result = run.finish()["result"]
@@ -147,7 +147,7 @@ def weights_text(runs, seed, jobs, folder):
         for arm in arms
         for number in range(runs)
     ]
-    outcomes, _ = run_each(_run, tasks, jobs)
+    outcomes, _ = run_each(_run, tasks, jobs, max(arm.kind.duration_s for arm in arms))
     each = runs * len(arms)
     rows = "".join(row(kind, outcomes[index * each :][:each]) for index, kind in enumerate(KINDS))
     problems = [problem for _, problem in outcomes if problem]

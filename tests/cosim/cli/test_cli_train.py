@@ -18,7 +18,8 @@ class Train(Program):
         return result, (self.folder / "out/log.txt").read_text()
 
     def test_the_command_in_a_network_makes_the_same_bytes(self):
-        for network in (SCENARIO / "belt.policy", ROOT / "tools/policy/vo2021_6r_dynamic.policy"):
+        hand = SCENARIOS / "policy_moving_target/target.policy"
+        for network in (SCENARIO / "belt.policy", ROOT / "tools/policy/vo2021_6r_dynamic.policy", hand):
             with self.subTest(network=network.name):
                 text = network.read_text()
                 command = shlex.split(re.search(r"^#   armature (.*)$", text, re.M).group(1))
@@ -34,14 +35,18 @@ class Train(Program):
         self.assertLess(network, 0.75 * min(plain, tuned))
 
     def test_the_network_in_software_gives_the_same_run(self):
-        logic, _ = self.run_it()
-        arm, _ = self.run_it('conveyor.policy.on="arm"')
-        self.assertEqual(logic["sha256"], arm["sha256"])
+        for name in (SCENARIO.name, "policy_moving_target"):
+            with self.subTest(scenario=name):
+                logic, _ = self.run_it(scenario=SCENARIOS / name)
+                arm, _ = self.run_it('conveyor.policy.on="arm"', scenario=SCENARIOS / name)
+                self.assertEqual(logic["sha256"], arm["sha256"])
 
     def test_without_a_correction_the_tracking_error_is_larger(self):
-        result, _ = self.run_it("conveyor.policy.percent=0", code=1)
-        corrected, _ = self.run_it()
-        self.assertGreater(result["tracking_error"]["mm"], 1.5 * corrected["tracking_error"]["mm"])
+        for name, factor in ((SCENARIO.name, 1.5), ("policy_moving_target", 1.3)):
+            with self.subTest(scenario=name):
+                result, _ = self.run_it("conveyor.policy.percent=0", scenario=SCENARIOS / name, code=1)
+                corrected, _ = self.run_it(scenario=SCENARIOS / name)
+                self.assertGreater(result["tracking_error"]["mm"], factor * corrected["tracking_error"]["mm"])
 
     def test_software_switches_the_correction_off_where_the_logic_does(self):
         for name in ("policy_out_of_range", "policy_corrupt_weights"):

@@ -44,7 +44,7 @@ class Figures(unittest.TestCase):
     def test_the_baseline_is_a_run_without_a_network(self):
         scenario = pathlib.Path(self.folder, "plain", "scenario.toml")
         scenario.parent.mkdir()
-        text = (targets.SCENARIO / "scenario.toml").read_text()
+        text = (targets.BELT.scenario / "scenario.toml").read_text()
         plain = re.sub(r"^\[conveyor\.policy\]\n(\w.*\n)+", "", text, flags=re.M)
         self.assertNotEqual(plain, text)
         scenario.write_text(plain)
@@ -137,7 +137,7 @@ class Weights(unittest.TestCase):
         self.assertGreater(refused, 20_000)
 
     def test_a_flip_changes_neurons_only(self):
-        network = weights.policy.read(targets.SCENARIO / "belt.policy")
+        network = weights.policy.read(targets.BELT.scenario / "belt.policy")
         good = network.image.astype("<u4").tobytes()
         draw, flipped = weights.random.Random(1), bytearray(good)
         weights.flip(draw, flipped, 64)

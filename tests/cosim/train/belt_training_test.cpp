@@ -22,6 +22,17 @@ TEST(BeltTraining, MakesOtherBeltsCloserToWhatIsExpected) {
   EXPECT_LT(corrected.rms_mm, 0.75 * plain.rms_mm);
 }
 
+// A target of a hand, seen by a camera.
+TEST(BeltTraining, MakesTargetsOfAHandCloserToWhatIsExpected) {
+  const BeltTraining training{.task = {.mm_per_count = 0.01, .full_mm = 5, .camera = BeltCameraSpec{}}, .belts = 10};
+  const TrainedBelt trained = train_belt(training);
+  const ConveyorBelt::Bandwidths own = bandwidths_of(training.task);
+  const BeltErrors plain = belt_errors(99, 4, training.task, own, {});
+  const BeltErrors corrected = belt_errors(99, 4, training.task, own, answer_of(trained.network));
+  EXPECT_LT(corrected.rms_mm, 0.8 * plain.rms_mm);
+  EXPECT_LT(corrected.unrest_mm_s2, 1.2 * plain.unrest_mm_s2);
+}
+
 // The answer of an example needs the future: with it, the expected belt is nearly the one that comes.
 TEST(BeltTraining, TheWantedCorrectionsAreNoneOfABeltThatIsPredictedRight) {
   const BeltErrors plain = belt_errors(98, 2, {.mm_per_count = 0.001}, {.observer = 500, .second = 500}, {});
