@@ -23,6 +23,7 @@ enum class PartEnd : std::uint8_t {
   kWindow,        // the part left the window
   kTooFast,       // the belt was faster than its limit
   kCannotFollow,  // a set-point was out of reach or outside the limits of the joints
+  kUnseen,        // the camera had no new sample
   kStopped,       // by a Stop or a Hold
   kFault,
 };

@@ -23,6 +23,8 @@ BeltCamera to_camera(const BeltCameraSpec& camera) {
 std::optional<std::int64_t> CameraSamples::arriving(std::int64_t tick) const {
   const std::int64_t taken = tick - camera_.dead_time.value(), period = camera_.period.value();
   if (taken < 0 || taken % period != 0) return std::nullopt;
+  const double taken_s = seconds(Ticks{taken});
+  if (taken_s >= hidden_s_[0] && taken_s < hidden_s_[1]) return std::nullopt;
   return taken / period;
 }
 

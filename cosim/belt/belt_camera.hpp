@@ -1,6 +1,7 @@
 // The samples of the camera of [conveyor.camera]: when each one arrives, and its noise.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 
@@ -16,7 +17,7 @@ namespace armature::cosim {
 class CameraSamples {
  public:
   CameraSamples(const BeltCameraSpec& camera, std::uint64_t seed)
-      : camera_{to_camera(camera)}, noise_mm_{camera.noise_mm}, seed_{seed} {}
+      : camera_{to_camera(camera)}, hidden_s_{camera.hidden_s}, noise_mm_{camera.noise_mm}, seed_{seed} {}
 
   // The number of the sample that arrives in this tick; none: no sample.
   [[nodiscard]] std::optional<std::int64_t> arriving(std::int64_t tick) const;
@@ -27,6 +28,7 @@ class CameraSamples {
 
  private:
   BeltCamera camera_;
+  std::array<double, 2> hidden_s_;
   double noise_mm_;
   std::uint64_t seed_;
 };

@@ -23,7 +23,8 @@ struct BeltSpeedSpec {
 struct BeltCameraSpec {
   double period_ms = 20;
   double dead_time_ms = 40;
-  double noise_mm = 0.2;  // standard deviation of a sample
+  double noise_mm = 0.2;             // standard deviation of a sample
+  std::array<double, 2> hidden_s{};  // no sample is taken from the first time to the second one
 };
 
 // [conveyor.policy]: a network corrects where the belt is expected.

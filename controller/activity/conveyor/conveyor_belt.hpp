@@ -50,6 +50,10 @@ class ConveyorBelt {
     expect(tick, correction_mm);
   }
 
+  // The tick of the last sample; none before the first.
+  [[nodiscard]] std::optional<Ticks> measured() const noexcept {
+    return sampled_ ? std::optional{measured_} : std::nullopt;
+  }
   // In mm, at the tick of the last expect().
   [[nodiscard]] double now_mm() const noexcept { return now_mm_; }
   // At the tick of the last sample.

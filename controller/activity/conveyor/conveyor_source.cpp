@@ -46,6 +46,13 @@ void ConveyorSource::sample_belt(Ticks tick) noexcept {
   if (correction_ != nullptr) observation_.add(belt_);
 }
 
+// Without new samples nobody knows where the target is.
+bool ConveyorSource::is_seen(Ticks tick) const noexcept {
+  if (!config_.camera) return true;
+  const Ticks longest = config_.camera->dead_time + Ticks{(1 + kMostMissed) * config_.camera->period.value()};
+  return belt_.measured() && tick - *belt_.measured() <= longest;
+}
+
 double ConveyorSource::correction_mm() noexcept {
   if (correction_ == nullptr) return 0.0;
   const std::uint32_t used = correction_->counts().used;
@@ -82,6 +89,7 @@ SetPoint& ConveyorSource::advance(Ticks tick, const RunControl::View&) noexcept 
   accept_orders(tick);
   const AxisState part = part_ahead();
   result_.displacement_mm = belt_.now_mm() - part_mm_;
+  if ((phase_ == Phase::kWaiting || phase_ == Phase::kFollowing) && !is_seen(tick)) end(PartEnd::kUnseen, tick);
   if (phase_ == Phase::kWaiting) {
     if (part.position > config_.to_mm) {
       end(PartEnd::kWindow, tick);

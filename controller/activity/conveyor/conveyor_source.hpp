@@ -3,13 +3,15 @@
 // The arm stands until the part has come to the point where the plan begins. Then the frame of the path takes up the
 // velocity of the belt while the tool executes the path, and follows the belt until core 1 releases it: between two
 // paths the tool stands in the frame of the part. After a release the frame comes to rest. When the part leaves its
-// window, when the belt is too fast, when a set-point is impossible, and at a stop, each joint makes its fastest stop.
+// window, when the belt is too fast, when a set-point is impossible, when more than kMostMissed samples of the camera
+// are missing, and at a stop, each joint makes its fastest stop.
 //
 // A set-point is executed kTicksToEmit ticks after it was computed, and `lead_s` later by the drives. The frame is
 // where the part is expected then.
 //
 // A network may correct where the belt is expected. When the frame leaves the expected part by more than
-// kMostDeviation_mm because it cannot accelerate as the corrections want, there is none until the part is over.
+// kMostDeviation_mm and the largest correction, because it cannot accelerate as the corrections want, there is none
+// until the part is over.
 #pragma once
 
 #include <cstdint>
@@ -33,6 +35,7 @@ namespace armature {
 
 class ConveyorSource final : public ActivitySource {
  public:
+  static constexpr int kMostMissed = 3;
   static constexpr double kMostDeviation_mm = 3.0;  // and the largest correction
 
   // References must outlive the source. `correction`: of the expected belt; null: none.
@@ -63,6 +66,7 @@ class ConveyorSource final : public ActivitySource {
   void report_progress(Ticks tick) noexcept;
   void end_request() noexcept;
   void sample_belt(Ticks tick) noexcept;
+  [[nodiscard]] bool is_seen(Ticks tick) const noexcept;
   [[nodiscard]] double correction_mm() noexcept;
   void count_corrections() noexcept;
   void end(PartEnd end, Ticks tick, std::uint8_t axis = 0) noexcept;

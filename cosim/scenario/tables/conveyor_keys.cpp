@@ -81,6 +81,9 @@ const KeyTable<BeltCameraSpec>& belt_camera_keys() {
               "Time from the moment that a sample shows until the controller has it."),
           key("noise_mm", &BeltCameraSpec::noise_mm, between(0, 100, "mm"),
               "Standard deviation of a sample, drawn with `seed` of the scenario."),
+          key("hidden_s", &BeltCameraSpec::hidden_s, between(0, kMaxDurationS, "s"),
+              "From the first time to the second one the target is hidden: no sample is taken. More than three "
+              "missing in a row stop the arm. `[0, 0]`: never."),
       }};
   return kTable;
 }

@@ -199,7 +199,8 @@ const KeyTable<ExpectSpec>& expect_keys() {
               key("conveyor_ends", &ExpectSpec::conveyor_ends, one_of(kWordsOf<PartEnd>),
                   "Why the arm stopped following each part, in the order of time. `released`: the next move is in "
                   "another frame. `window`: the part left the window. `too_fast`: the belt was too fast. "
-                  "`cannot_follow`: the joints could not follow. `stopped`: by a stop or a hold."),
+                  "`cannot_follow`: the joints could not follow. `unseen`: the camera had no new sample. `stopped`: "
+                  "by a stop or a hold."),
               key("min_solved_poses", &ExpectSpec::min_solved_poses, count(),
                   "Least number of set-points whose joint angles are those of the block `ik_cordic`, see "
                   "`[kinematics]`."),

@@ -54,6 +54,15 @@ class Train(Program):
             result, _ = self.run_it('conveyor.policy.on="arm"', scenario=SCENARIOS / name)
             self.assertEqual(result["sha256"], golden)
 
+    def test_the_arm_stops_when_the_target_of_a_hand_is_hidden(self):
+        hand = SCENARIOS / "policy_moving_target"
+        for hidden, end in (("[1.5, 1.56]", "released"), ("[1.5, 1.58]", "unseen"), ("[0, 3]", "unseen")):
+            with self.subTest(hidden=hidden):
+                result, log = self.run_it(f"conveyor.camera.hidden_s={hidden}", "expect={}", scenario=hand, code=None)
+                self.assertEqual(result["conveyor_ends"], [end])
+                self.assertNotIn("fault", log)
+        self.assertNotIn("begins to follow", log, "of a target that was never seen")
+
     def test_a_refused_network_leaves_the_run_without_one(self):
         plain, _ = self.run_it("conveyor.policy.percent=0", code=1)
         refused, _ = self.run_it(scenario=SCENARIOS / "policy_corrupt_weights")

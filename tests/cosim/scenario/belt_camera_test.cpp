@@ -23,6 +23,15 @@ TEST(CameraSamples, ArriveAtEachPeriodLateByTheDeadTime) {
   EXPECT_EQ(samples.noise_mm(3), 0);
 }
 
+TEST(CameraSamples, DoNotArriveOfTheTimeInWhichTheTargetIsHidden) {
+  const CameraSamples samples{{.period_ms = 20, .dead_time_ms = 40, .hidden_s = {0.1, 0.16}}, 1};
+  std::vector<std::int64_t> numbers;
+  for (std::int64_t tick = 0; tick < 5'000; ++tick) {
+    if (const auto sample = samples.arriving(tick)) numbers.push_back(*sample);
+  }
+  EXPECT_EQ(numbers, (std::vector<std::int64_t>{0, 1, 2, 3, 4, 8, 9, 10}));
+}
+
 TEST(CameraSamples, HaveAPeriodOfOneTickAtLeast) {
   EXPECT_EQ(to_camera({.period_ms = 0.001}).period, Ticks{1});
 }

@@ -43,6 +43,7 @@ def put_conveyor(draft):
         draft.maybe("period_ms", lambda: rng.choice([0.05, 20, 33.33, 1000]))
         draft.maybe("dead_time_ms", lambda: rng.choice([0, 40, 1000]))
         draft.maybe("noise_mm", lambda: rng.choice([0, 0.01, 100]))
+        draft.maybe("hidden_s", lambda: rng.choice([[0, 0], [0, 86400], [0.05, 0.07]]))
 
 
 def put_policy(draft):
