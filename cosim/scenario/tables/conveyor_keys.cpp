@@ -70,6 +70,12 @@ const KeyTable<BeltSpeedSpec>& belt_speed_keys() {
   return kTable;
 }
 
+std::string check_hidden_time(BeltCameraSpec& camera, const KeyContext&) {
+  if (camera.hidden_s[0] <= camera.hidden_s[1]) return {};
+  return "expected an end that is not before the start " + number_text(camera.hidden_s[0]) + ", found " +
+         number_text(camera.hidden_s[1]);
+}
+
 const KeyTable<BeltCameraSpec>& belt_camera_keys() {
   static const KeyTable<BeltCameraSpec> kTable{
       .text =
@@ -83,7 +89,8 @@ const KeyTable<BeltCameraSpec>& belt_camera_keys() {
               "Standard deviation of a sample, drawn with `seed` of the scenario."),
           key("hidden_s", &BeltCameraSpec::hidden_s, between(0, kMaxDurationS, "s"),
               "From the first time to the second one the target is hidden: no sample is taken. More than three "
-              "missing in a row stop the arm. `[0, 0]`: never."),
+              "missing in a row stop the arm. `[0, 0]`: never.")
+              .checked(check_hidden_time),
       }};
   return kTable;
 }
