@@ -9,6 +9,7 @@ function showLive() {
   let latest = null;
   let parts = null;
   let drawn = { t: 0 };  // the state that the arm shows
+  let shown = null;      // the one that the panels show
   let panelsAt = 0;
 
   function build(hello) {
@@ -35,8 +36,9 @@ function showLive() {
     requestAnimationFrame(show);
     if (!latest || !parts) return;
     if (latest !== drawn) showArm();
-    if (now - panelsAt < kPanelsEveryMs) return;
+    if (latest === shown || now - panelsAt < kPanelsEveryMs) return;
     panelsAt = now;
+    shown = latest;
     window.live.state = latest;
     for (const part of [status, parts.past, parts.lamps, parts.drive, parts.jog, parts.hand, parts.program, parts.messages]) part.show(latest);
     if (!document.body.dataset.ready) afterNextFrame(() => connection.startBeats());

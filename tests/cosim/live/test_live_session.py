@@ -73,6 +73,17 @@ class Session(LivePage):
         self.hold("0+", f"live.state.joints_deg[0] > {deg + 0.5}")
         self.mouse("mouseReleased", '[data-jog="0+"]')
 
+    def test_the_page_says_that_the_program_has_ended(self):
+        process = self.live("pendant_jog")
+        self.open(process)
+        self.switch_on()
+        self.end(process)
+        self.until("live.connection.status === 'lost'")
+        self.page.run("new Promise(done => setTimeout(done, 300))")
+        self.assertEqual(
+            self.page.run("[live.status.state.textContent, live.status.state.dataset.state]"), ["no connection", "off"]
+        )
+
     def test_a_slow_first_picture_does_not_stop_the_arm(self):
         slow = """const draw = window.requestAnimationFrame;
           const blocked_ms = [300, 1500];
