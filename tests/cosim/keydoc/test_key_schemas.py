@@ -71,7 +71,7 @@ ONLY_LOADER = re.compile(
             r"a robot with six axes",
             r"can(not)? move with the conveyor",
             r"expected a direction",
-            r"an end above the start",
+            r"an end (above|that is not before) the start",
             r"at most a tenth",
             r"the time (of the change )?before",
             r"has no \[axis\.homing\]",
