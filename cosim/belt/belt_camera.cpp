@@ -20,16 +20,13 @@ BeltCamera to_camera(const BeltCameraSpec& camera) {
           .dead_time = Ticks{ticks_of_ms(camera.dead_time_ms)}};
 }
 
-std::optional<std::int64_t> CameraSamples::arriving(std::int64_t tick) const {
-  const std::int64_t taken = tick - camera_.dead_time.value(), period = camera_.period.value();
-  if (taken < 0 || taken % period != 0) return std::nullopt;
-  const double taken_s = seconds(Ticks{taken});
+std::optional<std::int64_t> CameraSamples::arriving(Ticks tick) const {
+  const Ticks taken = tick - camera_.dead_time;
+  const std::int64_t period = camera_.period.value();
+  if (taken < Ticks{} || taken.value() % period != 0) return std::nullopt;
+  const double taken_s = seconds(taken);
   if (taken_s >= hidden_s_[0] && taken_s < hidden_s_[1]) return std::nullopt;
-  return taken / period;
-}
-
-double CameraSamples::dead_time_s() const {
-  return seconds(camera_.dead_time);
+  return taken.value() / period;
 }
 
 // A sum of 12 uniform numbers has the variance 1.

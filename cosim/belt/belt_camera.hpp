@@ -20,9 +20,9 @@ class CameraSamples {
       : camera_{to_camera(camera)}, hidden_s_{camera.hidden_s}, noise_mm_{camera.noise_mm}, seed_{seed} {}
 
   // The number of the sample that arrives in this tick; none: no sample.
-  [[nodiscard]] std::optional<std::int64_t> arriving(std::int64_t tick) const;
+  [[nodiscard]] std::optional<std::int64_t> arriving(Ticks tick) const;
   // How long before its arrival a sample was taken.
-  [[nodiscard]] double dead_time_s() const;
+  [[nodiscard]] Ticks dead_time() const { return camera_.dead_time; }
   // Its error: nearly normal, at most six standard deviations. Independent of all others.
   [[nodiscard]] double noise_mm(std::int64_t sample) const;
 

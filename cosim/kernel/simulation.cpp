@@ -3,26 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <bit>
-#include <cmath>
-#include <cstddef>
 #include <utility>
 
 #include "controller/base/timebase.hpp"
 #include "cosim/cpu/make_processor.hpp"
 #include "cosim/kernel/boot_text.hpp"
-#include "cosim/scenario/command_names.hpp"
 #include "cosim/scenario/to_controller.hpp"
 #include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
 namespace {
-
-// By BusError.
-constexpr std::array kBusErrorTexts{"ok", "the slave answered SLVERR", "no slave at this address (DECERR)",
-                                    "no answer within the time-out"};
-static_assert(kBusErrorTexts.size() == kBusErrorNames.size());
 
 std::optional<Cycles> drop_out(const Scenario& scenario) {
   if (!scenario.drop_out_us) return std::nullopt;
@@ -53,9 +43,8 @@ Simulation::Simulation(const Scenario& scenario, std::unique_ptr<Soc> soc, Simul
   processor_->run_ahead(*this);
   soc_->add_to_waves(software_.signals());
   if (scenario.conveyor) {
-    belt_.emplace(*scenario.conveyor);
-    if (scenario.conveyor->camera) camera_.emplace(*scenario.conveyor->camera, scenario.seed);
-    if (!camera_) host_.publish_belt(belt_counts());
+    belt_.emplace(*scenario.conveyor, scenario.seed);
+    if (!scenario.conveyor->camera) publish_belt();  // an encoder has a count before the first tick
   }
   if (scenario.serial) connect_serial_line(peer);
   drive_inputs();
@@ -225,16 +214,6 @@ void Simulation::deliver_due_events() {
   if (soc_->idle() && !access_) grant_bus();
 }
 
-// Ends the access whose response has come, if no fault delays it.
-void Simulation::take_response() {
-  if (!response_) {
-    response_ = soc_->pop_response();
-    response_due_ = now() + injector_.response_delay();
-  }
-  if (!response_ || response_due_ > now()) return;
-  finish_access(*std::exchange(response_, std::nullopt));
-}
-
 void Simulation::advance_serial() {
   const std::optional<Cycles> next = serial_->next_event();
   if (!next || *next > now()) return;
@@ -254,43 +233,6 @@ SocInputs Simulation::inputs() const {
   inputs.gpio = tool_inputs_;
   injector_.apply_to(inputs);
   return inputs;
-}
-
-void Simulation::finish_access(BusResponse response) {
-  bus_time_.at(static_cast<std::size_t>(access_->core)) += now() - access_since_;
-  const Processor::Access access = *std::exchange(access_, std::nullopt);
-  const BusRequest& request = access.request;
-  if (injector_.takes_for_error(request.addr)) {
-    // The fault spoils the response of an access that the logic has executed.
-    if (request.write && response.error == BusError::kNone) conservation_.on_write(now(), request.addr, request.data);
-    response = {.error = BusError::kSlaveError, .data = 0};
-  }
-  if (response.error != BusError::kNone && (access.stray || injector_.explains_bus_errors())) {
-    processor_->abort(access, now());
-    listener_.on_signal(BusAbort{.access = access, .error = response.error}, now());
-    return;
-  }
-  if (response.error != BusError::kNone) {
-    fail(fmt::format("bus: {} at 0x{:08X} by core {}: {} (cycle {})", request.write ? "write" : "read", request.addr,
-                     access.core, kBusErrorTexts.at(static_cast<std::size_t>(response.error)), now().value()));
-    return;
-  }
-  if (!check_access(request, response.data, now())) return;
-  processor_->complete(access, response, now());
-  read_host_memory();
-}
-
-void Simulation::fail_conservation() {
-  fail(*conservation_.violation());
-}
-
-// One access at a time.
-void Simulation::grant_bus() {
-  access_ = processor_->next_access();
-  if (!access_) return;
-  if (ticks_.disturbs(access_->request)) compute_edges();
-  access_since_ = now();
-  soc_->start(access_->request);
 }
 
 // Called whenever a core has run, so everything that the controller has written since the last call happened in this
@@ -315,119 +257,6 @@ void Simulation::read_host_memory() {
   host_.read_new(row_.telemetry);  // the controller does not run meanwhile
   if (const host_memory::BootReport* report = host_.boot_problem()) fail(boot_text(*report));
   if (host_.lost_events() != 0) fail("the host memory of the controller had no room for an event");
-}
-
-// Returns whether a pin has changed that concerns more than the plant.
-bool Simulation::on_pins_changed() {
-  const SocOutputs& out = soc_->outputs();
-  SocOutputs others = std::exchange(seen_, out);
-  others.step = out.step;
-  others.dir = out.dir;
-  others.heartbeat = out.heartbeat;
-  if (!wave_.is_open()) others.trigger = out.trigger;  // a waveform shows the number of the tick
-  const bool triggers = out.trigger && !trigger_was_high_;
-  const Cycles here = now();
-  if (triggers && ticks_.on_trigger(here)) drive_inputs();
-  plant_.on_outputs(here, out);
-  conservation_.on_outputs(here, out);
-  if (serial_) serial_->on_level(here, out.uart_txd);
-  if (const auto& violation = plant_.violation()) fail(describe(*violation));
-  if (out.gpio != tool_outputs_) report_outputs(out.gpio);
-  report_servo_enables();
-  if (triggers) on_trigger();
-  trigger_was_high_ = out.trigger;
-  const bool faults_begin = triggers && begin_faults_of_conditions();
-  const bool concern_others = faults_begin || others != out;
-  show_interrupts();
-  return concern_others;
-}
-
-// Tells the processor the interrupt levels, if they have changed.
-void Simulation::show_interrupts() {
-  const std::uint8_t levels = injector_.seen_interrupts(seen_.irq);
-  if (levels == interrupts_) return;
-  begin_tick();  // the core that wakes may run ahead in it
-  processor_->set_interrupts(interrupts_ = levels, now());
-  read_host_memory();
-}
-
-void Simulation::report_servo_enables() {
-  const std::uint8_t levels = plant_.servo_enables();
-  if (levels != servo_on_) listener_.on_signal(ServoEnables{servo_on_ = levels}, now());
-}
-
-std::int64_t Simulation::belt_counts() const {
-  return belt_->counts(to_seconds(now()));
-}
-
-// The count of the encoder in each tick; of a camera, a sample when it arrives.
-void Simulation::publish_belt() {
-  if (!camera_) return host_.publish_belt(belt_counts());
-  const std::optional<std::int64_t> sample = camera_->arriving(triggers_);
-  if (!sample) return;
-  host_.publish_belt(belt_->counts(to_seconds(now()) - camera_->dead_time_s(), camera_->noise_mm(*sample)));
-}
-
-void Simulation::report_outputs(std::uint16_t levels) {
-  for (unsigned changed = levels ^ std::exchange(tool_outputs_, levels); changed != 0; changed &= changed - 1) {
-    const int bit = std::countr_zero(changed);
-    listener_.on_signal(OutputLevel{.pin = bit + 1, .level = ((levels >> bit) & 1) != 0}, now());
-  }
-}
-
-void Simulation::on_trigger() {
-  const Cycles here = now();
-  conservation_.on_trigger(here);
-  if (conservation_.violation()) fail_conservation();
-  if (belt_) publish_belt();
-  // The time before the first trigger was start-up, not a tick.
-  if (triggers_ == 0) processor_->reset_worst_tick();
-
-  const std::uint8_t servo_on = soc_->outputs().servo_on;
-  row_.tick = triggers_++;
-  row_.cycle = here.value();
-  row_.stopped = servo_was_on_ && servo_on == 0;
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    row_.pin_pulses[axis] = conservation_.pin_pulses(axis);
-    row_.pulses_to_drop[axis] = plant_.pulses_to_drop(axis);
-    row_.motor_counts[axis] = plant_.motor_counts(axis).value();
-    row_.first_rise[axis] = conservation_.edges_of_tick(axis).first_rise.value();
-    row_.turned[axis] = conservation_.edges_of_tick(axis).turned.value();
-    const Plant::MotorStep motor = plant_.motor_step_before(axis, here);
-    row_.motor_from[axis] = motor.start.value();
-    row_.motor_to[axis] = motor.target.value();
-  }
-  row_.load_lead_deg = plant_.load_lead_deg();
-  const std::array<CoreLoad, 2> load = load_until_now();
-  for (std::size_t core = 0; core < load.size(); ++core) {
-    row_.load[core] = {.awake_cycles = load[core].awake_cycles - load_before_[core].awake_cycles,
-                       .bus_cycles = load[core].bus_cycles - load_before_[core].bus_cycles,
-                       .instructions = load[core].instructions - load_before_[core].instructions};
-  }
-  load_before_ = load;
-  servo_was_on_ = servo_was_on_ || servo_on != 0;
-  row_.tool_point.reset();
-  listener_.on_row(row_);
-}
-
-// They begin in the next cycle, as any other action of the script.
-bool Simulation::begin_faults_of_conditions() {
-  const std::vector<FaultSpec> due = conditions_.due(row_);
-  for (const FaultSpec& fault : due) script_.insert(now() + Cycles{1}, fault);
-  return !due.empty();
-}
-
-// Since the beginning of the run.
-std::array<CoreLoad, 2> Simulation::load_until_now() const {
-  std::array<CoreLoad, 2> load;
-  const Cycles here = now();
-  for (std::size_t core = 0; core < load.size(); ++core) {
-    const bool on_bus = access_ && access_->core == static_cast<int>(core);
-    load[core].awake_cycles = processor_->awake(static_cast<int>(core), here).value();
-    load[core].instructions = processor_->instructions(static_cast<int>(core));
-    load[core].bus_cycles = (bus_time_[core] + (on_bus ? here - access_since_ : Cycles{})).value();
-  }
-  return load;
 }
 
 void Simulation::fail(std::string what) {

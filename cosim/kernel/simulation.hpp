@@ -14,16 +14,15 @@
 #include "controller/host_memory/boot_memory.hpp"
 #include "controller/host_memory/host_side.hpp"
 #include "controller/message/event.hpp"
-#include "cosim/belt/belt_camera.hpp"
-#include "cosim/belt/belt_motion.hpp"
+#include "cosim/belt/measured_belt.hpp"
 #include "cosim/check/conservation.hpp"
 #include "cosim/cpu/processor.hpp"
 #include "cosim/cpu/run_ahead.hpp"
 #include "cosim/fault/injector.hpp"
-#include "cosim/kernel/fault_conditions.hpp"
-#include "cosim/kernel/move_feeder.hpp"
-#include "cosim/kernel/program_watch.hpp"
-#include "cosim/kernel/script.hpp"
+#include "cosim/kernel/script/fault_conditions.hpp"
+#include "cosim/kernel/script/move_feeder.hpp"
+#include "cosim/kernel/script/program_watch.hpp"
+#include "cosim/kernel/script/script.hpp"
 #include "cosim/kernel/signal.hpp"
 #include "cosim/kernel/simulation_state.hpp"
 #include "cosim/kernel/software_watch.hpp"
@@ -161,7 +160,6 @@ class Simulation final : private RunAhead {
   bool on_pins_changed();
   void report_outputs(std::uint16_t levels);
   void report_servo_enables();
-  [[nodiscard]] std::int64_t belt_counts() const;
   void publish_belt();
   void on_trigger();
   bool begin_faults_of_conditions();
@@ -185,8 +183,7 @@ class Simulation final : private RunAhead {
   std::optional<Tag> replacing_;  // the latest joint move that begins at once
   FaultInjector injector_;
   WaveWindow wave_;
-  std::optional<BeltMotion> belt_;
-  std::optional<CameraSamples> camera_;
+  std::optional<MeasuredBelt> belt_;
   std::optional<ScriptedPendant> pendant_;
   std::optional<SerialLine> serial_;
   std::optional<Processor::Access> access_;  // under way

@@ -5,44 +5,46 @@
 #include "cosim/kernel/simulation.hpp"
 #include "cosim/scenario/move_text.hpp"
 #include "cosim/scenario/to_controller.hpp"
+#include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
 
 void Simulation::act(const ScriptAction& action) {
   listener_.on_action(action, now());
-  std::visit(Overloaded{
-                 [this](const CommandSpec& move) { give(move); },
-                 [this](const StreamStep& step) {
-                   Command point = to_command(scenario_.streams[step.stream], step.point);
-                   if (step.more) std::get<StreamPoint>(point).last = false;
-                   // The controller then misses the set-point and stops.
-                   if (host_.submit(Source::kScenario, point)) processor_->notify(now());
-                   read_host_memory();
-                 },
-                 [this](const PartStep&) {
-                   // Without room the part is never seen.
-                   if (host_.submit(Source::kScenario, ConveyorPart{.counts = belt_counts()})) {
-                     processor_->notify(now());
-                   }
-                   read_host_memory();
-                 },
-                 [this](const FaultSpec& fault) {
-                   compute_edges();
-                   injector_.begin(fault.kind, now());
-                   after_fault();
-                 },
-                 [this](const FaultEnd& end) {
-                   compute_edges();
-                   injector_.end(end.fault.kind, now());
-                   after_fault();
-                 },
-                 [this](const InputSpec& input) {
-                   const auto bit = static_cast<std::uint16_t>(1u << (input.pin - 1));
-                   tool_inputs_ = static_cast<std::uint16_t>(input.level ? tool_inputs_ | bit : tool_inputs_ & ~bit);
-                   drive_inputs();
-                 },
-             },
-             action);
+  std::visit(
+      Overloaded{
+          [this](const CommandSpec& move) { give(move); },
+          [this](const StreamStep& step) {
+            Command point = to_command(scenario_.streams[step.stream], step.point);
+            if (step.more) std::get<StreamPoint>(point).last = false;
+            // The controller then misses the set-point and stops.
+            if (host_.submit(Source::kScenario, point)) processor_->notify(now());
+            read_host_memory();
+          },
+          [this](const PartStep&) {
+            // Without room the part is never seen.
+            if (host_.submit(Source::kScenario, ConveyorPart{.counts = belt_->motion().counts(to_seconds(now()))})) {
+              processor_->notify(now());
+            }
+            read_host_memory();
+          },
+          [this](const FaultSpec& fault) {
+            compute_edges();
+            injector_.begin(fault.kind, now());
+            after_fault();
+          },
+          [this](const FaultEnd& end) {
+            compute_edges();
+            injector_.end(end.fault.kind, now());
+            after_fault();
+          },
+          [this](const InputSpec& input) {
+            const auto bit = static_cast<std::uint16_t>(1u << (input.pin - 1));
+            tool_inputs_ = static_cast<std::uint16_t>(input.level ? tool_inputs_ | bit : tool_inputs_ & ~bit);
+            drive_inputs();
+          },
+      },
+      action);
 }
 
 // After a fault has begun or ended.

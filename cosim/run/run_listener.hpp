@@ -2,7 +2,7 @@
 #pragma once
 
 #include "controller/message/event.hpp"
-#include "cosim/kernel/script.hpp"
+#include "cosim/kernel/script/script.hpp"
 #include "cosim/kernel/signal.hpp"
 #include "cosim/report/judge/run_summary.hpp"
 #include "cosim/report/measure/run_place.hpp"

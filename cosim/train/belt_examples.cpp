@@ -9,6 +9,7 @@
 #include "controller/motion/set_point_source.hpp"
 #include "cosim/belt/belt_camera.hpp"
 #include "cosim/belt/belt_motion.hpp"
+#include "cosim/belt/measured_belt.hpp"
 #include "cosim/time/random.hpp"
 
 namespace armature::cosim {
@@ -61,13 +62,22 @@ ConveyorSpec random_belt(Random& random, const BeltTask& task) {
   belt.lead_ms = task.lead_ms;
   belt.speed_mm_s = random.between(kind.least_speed, kind.most_speed);
   belt.belt_accel_mm_s2 = random.between(kind.least_accel, kind.most_accel);
-  for (double at_s = random.between(0.1, 0.3); at_s < kind.run_s + 0.01;
+  // The margin is needed only for networks that were trained with it: without it, all later draws would be others.
+  constexpr double kMargin_s = 0.01;
+  for (double at_s = random.between(0.1, 0.3); at_s < kind.run_s + kMargin_s;
        at_s += random.between(kind.least_change_s, kind.most_change_s)) {
     belt.speeds.push_back({.at_s = at_s, .speed_mm_s = random.between(kind.least_speed, kind.most_speed)});
   }
   belt.wave_mm = random.between(0, kind.most_wave_mm);
   belt.wave_length_mm = random.between(300, 600);
   return belt;
+}
+
+MeasuredBelt random_target(Random& random, const BeltTask& task) {
+  ConveyorSpec spec = random_belt(random, task);
+  spec.camera = task.camera;
+  const std::uint64_t noise_seed = task.camera ? random.next() : 0;
+  return {spec, noise_seed};
 }
 
 AxisState belt_at(const BeltMotion& belt, double t_s) {
@@ -91,19 +101,20 @@ std::optional<BeltCamera> camera_of(const BeltTask& task) {
 class BeltRun {
  public:
   BeltRun(Random& random, const BeltTask& task, const ConveyorBelt::Bandwidths& bandwidths)
-      : motion_{random_belt(random, task)},
+      : real_{random_target(random, task)},
         belt_{task.mm_per_count, look_ahead_s(task), bandwidths},
         observation_{camera_of(task)},
         ahead_s_{look_ahead_s(task)},
-        second_{bandwidths.second} {
-    if (task.camera) camera_.emplace(*task.camera, random.next());
-  }
+        second_{bandwidths.second} {}
 
   void advance(std::int64_t tick, double correction_mm) {
     const double t_s = static_cast<double>(tick) * kTickSeconds;
-    measure(tick, t_s);
+    if (const auto sample = real_.sample(Ticks{tick}, t_s)) {
+      belt_.measure(sample->counts, sample->taken);
+      observation_.add(belt_);
+    }
     belt_.expect(Ticks{tick}, correction_mm);
-    coming_ = belt_at(motion_, t_s + ahead_s_);
+    coming_ = belt_at(real_.motion(), t_s + ahead_s_);
   }
   // The correction with which the second system of ConveyorBelt stays on the belt that comes.
   [[nodiscard]] double best_correction() const {
@@ -117,20 +128,7 @@ class BeltRun {
   [[nodiscard]] const BeltObservation::Values& observation() const { return observation_.values(); }
 
  private:
-  void measure(std::int64_t tick, double t_s) {
-    if (!camera_) {
-      belt_.measure(motion_.counts(t_s), Ticks{tick});
-    } else {
-      const std::optional<std::int64_t> sample = camera_->arriving(tick);
-      if (!sample) return;
-      const double taken_s = t_s - camera_->dead_time_s();
-      belt_.measure(motion_.counts(taken_s, camera_->noise_mm(*sample)), Ticks{ticks_of(taken_s)});
-    }
-    observation_.add(belt_);
-  }
-
-  BeltMotion motion_;
-  std::optional<CameraSamples> camera_{};
+  MeasuredBelt real_;
   ConveyorBelt belt_;
   BeltObservation observation_;
   double ahead_s_, second_;

@@ -334,7 +334,7 @@ class IncludeArrows(unittest.TestCase):
             "cosim/report/k.cpp": '#include "cosim/kernel/simulation.hpp"',
             "cosim/report/judge/o.cpp": '#include "cosim/report/format/junit.hpp"',
             "cosim/report/measure/p.hpp": '#include "cosim/report/facts/fact.hpp"',
-            "cosim/time/clock.hpp": '#include "cosim/kernel/script.hpp"',
+            "cosim/time/clock.hpp": '#include "cosim/kernel/script/script.hpp"',
             "cosim/run/q.hpp": '#include "cosim/cli/run/scenario_run.hpp"',
             "cosim/kernel/r.cpp": '#include "cosim/run/run.hpp"',
             "cosim/serve/m.cpp": '#include "cosim/kernel/simulation.hpp"',

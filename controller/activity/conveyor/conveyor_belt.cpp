@@ -1,5 +1,7 @@
 #include "controller/activity/conveyor/conveyor_belt.hpp"
 
+#include <utility>
+
 #include "controller/base/timebase.hpp"
 
 namespace armature {
@@ -18,14 +20,12 @@ ConveyorBelt::Bandwidths ConveyorBelt::bandwidths_for(const std::optional<BeltCa
 
 void ConveyorBelt::measure(std::int64_t counts, Ticks tick) noexcept {
   const double measured_mm = position_of(counts, mm_per_count_);
-  if (!sampled_) {
+  const std::optional<Ticks> before = std::exchange(measured_, tick);
+  if (!before) {
     position_mm_ = measured_mm;
-    measured_ = tick;
-    sampled_ = true;
     return;
   }
-  const double time_s = seconds(tick - measured_);
-  measured_ = tick;
+  const double time_s = seconds(tick - *before);
   const double pole = 1.0 / (1.0 + bandwidths_.observer * time_s), gain = 1.0 - pole;
   const AxisState predicted =
       after({.position = position_mm_, .velocity = velocity_mm_s_, .accel = accel_mm_s2_}, 0.0, time_s);
@@ -36,18 +36,16 @@ void ConveyorBelt::measure(std::int64_t counts, Ticks tick) noexcept {
 }
 
 void ConveyorBelt::expect(Ticks tick, double correction_mm) noexcept {
-  if (!sampled_) return;
+  if (!measured_) return;
   const AxisState estimate{.position = position_mm_, .velocity = velocity_mm_s_, .accel = accel_mm_s2_};
-  const double age_s = seconds(tick - measured_);
+  const double age_s = seconds(tick - *measured_);
   now_mm_ = after(estimate, 0.0, age_s).position;
-  if (!expects_) {
+  const std::optional<Ticks> before = std::exchange(expected_at_, tick);
+  if (!before) {
     expected_ = {.position = position_mm_};
-    expected_at_ = tick;
-    expects_ = true;
     return;
   }
-  const double time_s = seconds(tick - expected_at_);
-  expected_at_ = tick;
+  const double time_s = seconds(tick - *before);
   target_ = after(estimate, 0.0, ahead_s_ - time_s + age_s);
   const double second = bandwidths_.second, error = target_.position + correction_mm - expected_.position;
   const double accel = accel_mm_s2_ + second * (second * error + 2.0 * (target_.velocity - expected_.velocity));

@@ -51,9 +51,7 @@ class ConveyorBelt {
   }
 
   // The tick of the last sample; none before the first.
-  [[nodiscard]] std::optional<Ticks> measured() const noexcept {
-    return sampled_ ? std::optional{measured_} : std::nullopt;
-  }
+  [[nodiscard]] std::optional<Ticks> measured() const noexcept { return measured_; }
   // In mm, at the tick of the last expect().
   [[nodiscard]] double now_mm() const noexcept { return now_mm_; }
   // At the tick of the last sample.
@@ -76,8 +74,7 @@ class ConveyorBelt {
   double accel_mm_s2_ = 0.0;
   double error_mm_ = 0.0;
   AxisState target_{}, expected_{};
-  Ticks measured_{}, expected_at_{};
-  bool sampled_ = false, expects_ = false;
+  std::optional<Ticks> measured_, expected_at_;  // none before the first call that measures, or expects
 };
 
 }  // namespace armature

@@ -1,5 +1,5 @@
 // Faults that wait for a condition: when they begin, and that both engines agree on it.
-#include "cosim/kernel/fault_conditions.hpp"
+#include "cosim/kernel/script/fault_conditions.hpp"
 
 #include <gtest/gtest.h>
 

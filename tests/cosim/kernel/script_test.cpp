@@ -1,4 +1,4 @@
-#include "cosim/kernel/script.hpp"
+#include "cosim/kernel/script/script.hpp"
 
 #include <gtest/gtest.h>
 

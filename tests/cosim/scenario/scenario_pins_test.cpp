@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "controller/message/command.hpp"
-#include "cosim/kernel/script.hpp"
+#include "cosim/kernel/script/script.hpp"
 #include "cosim/scenario/to_controller.hpp"
 #include "cosim/time/clock.hpp"
 #include "tests/cosim/support/expect_failures.hpp"

@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "controller/message/program_noted.hpp"
-#include "cosim/kernel/script.hpp"
+#include "cosim/kernel/script/script.hpp"
 #include "cosim/scenario/scenario.hpp"
 
 namespace armature::cosim {

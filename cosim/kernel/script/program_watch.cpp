@@ -1,4 +1,4 @@
-#include "cosim/kernel/program_watch.hpp"
+#include "cosim/kernel/script/program_watch.hpp"
 
 #include <algorithm>
 

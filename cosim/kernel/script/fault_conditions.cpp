@@ -1,4 +1,4 @@
-#include "cosim/kernel/fault_conditions.hpp"
+#include "cosim/kernel/script/fault_conditions.hpp"
 
 #include <algorithm>
 #include <cmath>

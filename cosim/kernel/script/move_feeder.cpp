@@ -1,4 +1,4 @@
-#include "cosim/kernel/move_feeder.hpp"
+#include "cosim/kernel/script/move_feeder.hpp"
 
 #include <utility>
 #include <variant>
