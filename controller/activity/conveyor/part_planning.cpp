@@ -23,6 +23,10 @@ constexpr double kRestSpeed = 20.0;  // mm/s
 constexpr double kLeastSpeedTolerance = 1.0;  // mm/s
 constexpr int kPasses = 2;
 
+double slower(double speed, double change) noexcept {
+  return std::copysign(std::max(0.0, std::fabs(speed) - change), speed);
+}
+
 }  // namespace
 
 PartPlanning::PartPlanning(const RobotModel& robot, const Arm& arm, const PlanningConfig& config, PlanOutbox& outbox,
@@ -94,14 +98,17 @@ PartPlanning::Verdict PartPlanning::check(const CartesianPlan& plan, std::int64_
   }
   const auto most = plan.duration.value() + static_cast<std::int64_t>(kCatchUp_s / kTickSeconds);
   for (; ticks > 0; --ticks) {
-    const double speed = assumed_mm_s();
-    const double belt_mm = begin_mm_ + speed * seconds(Ticks{++checked_ticks_});
-    const double end_mm = belt_mm + stop_distance_mm(speed);
+    ++checked_ticks_;
+    assumed_.position += assumed_.velocity * kTickSeconds;
+    const double end_mm = assumed_.position + stop_distance_mm(assumed_.velocity);
     if (end_mm > conveyor_.to_mm || end_mm < conveyor_.from_mm) {
-      restart_check();
-      return Verdict::kLeavesWindow;
+      if (!conveyor_.camera) {
+        restart_check();
+        return Verdict::kLeavesWindow;
+      }
+      assumed_.velocity = slower(assumed_.velocity, conveyor_.accel_mm_s2 * kTickSeconds);
     }
-    const ConveyorMotion::Trouble trouble = motion_.advance({.position = belt_mm, .velocity = speed});
+    const ConveyorMotion::Trouble trouble = motion_.advance(assumed_);
     ++inverses_;
     if (trouble.any || checked_ticks_ > most) {
       axis_ = trouble.axis;
@@ -117,10 +124,11 @@ PartPlanning::Verdict PartPlanning::check(const CartesianPlan& plan, std::int64_
 
 void PartPlanning::begin_pass(const CartesianPlan& plan) noexcept {
   checked_ticks_ = 0;
+  assumed_ = {.position = begin_mm_, .velocity = assumed_mm_s()};
   if (first_) {
     motion_.begin(plan.start, planned_mm_);
   } else {
-    motion_.begin_moving(plan.start, {.position = planned_mm_, .velocity = assumed_mm_s()});
+    motion_.begin_moving(plan.start, {.position = planned_mm_, .velocity = assumed_.velocity});
   }
   motion_.start(plan, planned_mm_);
 }
@@ -141,7 +149,7 @@ PathLimits PartPlanning::slower_limits(const CartesianPlan& plan) noexcept {
   return limits;
 }
 
-// Of the belt, in this pass.
+// Of the belt, at the begin of this pass.
 double PartPlanning::assumed_mm_s() const noexcept {
   const double change = std::max(conveyor_.speed_tolerance * std::fabs(speed_mm_s_), kLeastSpeedTolerance);
   return pass_ == 0 ? speed_mm_s_ - change : speed_mm_s_ + change;

@@ -4,7 +4,8 @@
 // The planner plans a path as if its frame stood still at one displacement. Then the same motion that core 0 will
 // execute (activity/conveyor/conveyor_motion.hpp) is computed for two belts, slower and faster than the present one by
 // ConveyorConfig::speed_tolerance, with a share of the limits of the joints. A plan that does not pass is made slower,
-// and refused when that does not help. What the belt does later is checked in each tick.
+// and refused when that does not help, or when the belt would leave the window. A target of a camera is assumed to come
+// to rest at the end of the window: a hand turns it round. What the belt does later is checked in each tick.
 #pragma once
 
 #include <cstddef>
@@ -24,6 +25,7 @@
 #include "controller/message/part_followed.hpp"
 #include "controller/robot/robot_model.hpp"
 #include "controller/trajectory/cartesian/cartesian_plan.hpp"
+#include "controller/trajectory/state/phase_law.hpp"
 
 namespace armature {
 
@@ -113,6 +115,7 @@ class PartPlanning {
   bool check_begun_ = false;
   int pass_ = 0;
   std::int64_t checked_ticks_ = 0;  // of this pass
+  AxisState assumed_{};             // of the belt, likewise
   std::uint8_t axis_ = 0;
   std::int64_t inverses_ = 0;
 

@@ -1,6 +1,7 @@
 """armature train, and runs with the network that it makes."""
 
 import json
+import os
 import re
 import shlex
 import tomllib
@@ -8,6 +9,10 @@ import tomllib
 from cli_program import ROOT, SCENARIOS, Program, main
 
 SCENARIO = SCENARIOS / "policy_conveyor"
+# Of scenarios, and those that tools/policy measures besides.
+NETWORKS = [SCENARIO / "belt.policy", SCENARIOS / "policy_moving_target/target.policy"]
+if "ARMATURE_FEW_DRAWS" not in os.environ:
+    NETWORKS += sorted((ROOT / "tools/policy").glob("*.policy"))
 
 
 class Train(Program):
@@ -18,8 +23,7 @@ class Train(Program):
         return result, (self.folder / "out/log.txt").read_text()
 
     def test_the_command_in_a_network_makes_the_same_bytes(self):
-        hand = SCENARIOS / "policy_moving_target/target.policy"
-        for network in (SCENARIO / "belt.policy", ROOT / "tools/policy/vo2021_6r_dynamic.policy", hand):
+        for network in NETWORKS:
             with self.subTest(network=network.name):
                 text = network.read_text()
                 command = shlex.split(re.search(r"^#   armature (.*)$", text, re.M).group(1))
@@ -62,6 +66,15 @@ class Train(Program):
                 self.assertEqual(result["conveyor_ends"], [end])
                 self.assertNotIn("fault", log)
         self.assertNotIn("begins to follow", log, "of a target that was never seen")
+
+    def test_a_hand_is_expected_to_turn_before_its_target_leaves_the_window(self):
+        """The second move is planned while the target moves at 100 mm/s, and takes 2 s."""
+        hand = SCENARIOS / "policy_moving_target"
+        turns = "{at_s=0.5, speed_mm_s=100}, {at_s=0.9, speed_mm_s=-100}, {at_s=1.6, speed_mm_s=80}"
+        for window, end in (([-60, 60], "released"), ([-25, 25], "window")):
+            settings = f"conveyor.speed=[{turns}, {{at_s=2.2, speed_mm_s=0}}]", f"conveyor.window_mm={window}", "expect={}"
+            result, _ = self.run_it(*settings, scenario=hand, code=None)
+            self.assertEqual(result["conveyor_ends"], [end])
 
     def test_a_refused_network_leaves_the_run_without_one(self):
         plain, _ = self.run_it("conveyor.policy.percent=0", code=1)
