@@ -101,6 +101,18 @@ ARMS = (
         HAND.scenario / "target.policy",
         HAND,
     ),
+    Arm(
+        "hand_vo",
+        "Vo 2021, full plant, target of a hand",
+        True,
+        21.45,
+        "vo2021_6r_dynamic",
+        3000,
+        1500,
+        0,
+        HERE / "vo2021_6r_dynamic_hand.policy",
+        HAND,
+    ),
 )
 
 
