@@ -72,7 +72,11 @@ class Train(Program):
         hand = SCENARIOS / "policy_moving_target"
         turns = "{at_s=0.5, speed_mm_s=100}, {at_s=0.9, speed_mm_s=-100}, {at_s=1.6, speed_mm_s=80}"
         for window, end in (([-60, 60], "released"), ([-25, 25], "window")):
-            settings = f"conveyor.speed=[{turns}, {{at_s=2.2, speed_mm_s=0}}]", f"conveyor.window_mm={window}", "expect={}"
+            settings = (
+                f"conveyor.speed=[{turns}, {{at_s=2.2, speed_mm_s=0}}]",
+                f"conveyor.window_mm={window}",
+                "expect={}",
+            )
             result, _ = self.run_it(*settings, scenario=hand, code=None)
             self.assertEqual(result["conveyor_ends"], [end])
 
