@@ -68,8 +68,7 @@ void FaultInjector::stop(const Estop&) {
 }
 
 void FaultInjector::start(const ClockStop&) {
-  ++clock_stops_;
-  targets_.soc.set_clock_running(false);
+  if (clock_stops_++ == 0) targets_.soc.set_clock_running(false);
 }
 void FaultInjector::stop(const ClockStop&) {
   if (--clock_stops_ == 0) targets_.soc.set_clock_running(true);
