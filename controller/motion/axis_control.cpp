@@ -16,6 +16,7 @@ Pulses largest_count(const AxisUnits& units) {
 AxisControl::AxisControl(const AxisModel& model, bool feedback) noexcept
     : units_{model},
       following_error_limit_rad_{model.following_error_limit_rad},
+      following_error_limit_{std::fabs(units_.to_exact_pulses(Radians{model.following_error_limit_rad}))},
       max_deviation_{model.following_error_at_rest_rad > 0.0
                          ? std::fabs(units_.to_exact_pulses(Radians{model.following_error_at_rest_rad}))
                          : std::numeric_limits<double>::infinity()},

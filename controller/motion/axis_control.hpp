@@ -41,9 +41,10 @@ class AxisControl {
   }
 
   // True when `measured`, the angle of the encoder, is farther from the last set-point than the axis' following-error
-  // limit.
+  // limit, or from where the pulses should have brought the axis: the feedback has then corrected too much.
   [[nodiscard]] bool following_error(Radians measured) const noexcept {
-    return std::fabs((reference_ - measured).value()) > following_error_limit_rad_;
+    return std::fabs((reference_ - measured).value()) > following_error_limit_rad_ ||
+           std::fabs(feedback_.loss()) > following_error_limit_;
   }
   // True when `measured` is too far from where the drive would be. Call it every kJudgedTicks ticks, after next().
   static constexpr std::int32_t kJudgedTicks = 2 * kAxes;
@@ -68,6 +69,7 @@ class AxisControl {
  private:
   AxisUnits units_;
   double following_error_limit_rad_;
+  double following_error_limit_;  // [pulses]
   double max_deviation_;  // [pulses]; infinity: not checked
   bool checks_deviation_;
   bool feedback_on_;

@@ -4,6 +4,9 @@
 // its position minus the encoder position. A correction moves both equally, so it does not change the loss: there is no
 // gain to tune, no limit cycle, and normal lag is not an error.
 //
+// An encoder that stands still turns a motion of the arm into a loss that no correction ends: the arm would run away
+// while set-point and encoder stay near each other. So loss() has a limit, too (axis_control.hpp).
+//
 // The real drive differs from the nominal one. The deviation is a share of the lag and decays with it (25 % of the lag
 // for a bandwidth 20 % too low). So the correction has a dead band: a larger share of the lag's decaying peak. At rest
 // the band shrinks to the resolution of an incremental encoder, one count.
@@ -40,6 +43,8 @@ class Feedback {
   // Open loop, instead of correct(): only the deviation is measured.
   void observe(Counts measured) noexcept;
 
+  // What the drive seems to have lost since restart(), corrected or not [pulses].
+  [[nodiscard]] double loss() const noexcept { return loss_; }
   // How far the encoder is from where the nominal drive would be, less what a real drive may deviate [pulses].
   [[nodiscard]] double deviation() const noexcept { return std::fabs(loss_ - correction_) - kBandOfLag * lag_peak_; }
   // More than what the feedback leaves alone.
