@@ -83,7 +83,7 @@ void CampaignJudge::on_row(const TraceRow& row, const IntegerDigest&) {
   at_end_rows_ = is_end(now.motor_counts) ? at_end_rows_ + 1 : 0;
   off_rows_ = power_off_ ? off_rows_ + 1 : 0;
   for (std::size_t i = 0; i < kAxes; ++i) known_counts_[i] = row.telemetry.encoder[i].value();
-  before_[rows_ % kSpeedTicks] = row.motor_counts;
+  before_[rows_ % kSpeedTicks] = now;
   last_ = now;
   ++rows_;
 }
@@ -125,10 +125,12 @@ void CampaignJudge::check_path(const TruePoint& now) {
 
 void CampaignJudge::check_speed(const TruePoint& now) {
   if (rows_ < kSpeedTicks) return;
-  const PerAxis<std::int64_t>& before = before_[rows_ % kSpeedTicks];
+  const TruePoint& before = before_[rows_ % kSpeedTicks];
+  // While the clock of the logic stands there are no rows, but the motors turn.
+  const double ticks = static_cast<double>(now.cycle - before.cycle) / static_cast<double>(armature::kTickCycles.value());
   for (std::size_t i = 0; i < limits_.axis_count; ++i) {
-    const auto counts = static_cast<double>(std::abs(now.motor_counts[i] - before[i]));
-    if (counts > limits_.axes[i].max_counts_per_tick * kSpeedTicks) {
+    const auto counts = static_cast<double>(std::abs(now.motor_counts[i] - before.motor_counts[i]));
+    if (counts > limits_.axes[i].max_counts_per_tick * ticks) {
       add(Outcome::kLimitExceeded, fmt::format("axis {} is too fast", i + 1));
     }
   }

@@ -67,7 +67,7 @@ class CampaignJudge final : public RunListener {
   [[nodiscard]] std::optional<Error> error() const;
   [[nodiscard]] std::string stop_reason() const;
 
-  static constexpr std::size_t kSpeedTicks = 100;  // over which the speed is measured
+  static constexpr std::size_t kSpeedTicks = 100;  // rows over which the speed is measured
 
   const JudgeLimits& limits_;
   const TruePath& path_;
@@ -75,7 +75,7 @@ class CampaignJudge final : public RunListener {
   std::size_t rows_ = 0;
   TruePoint last_;
   PerAxis<std::int64_t> known_counts_{};  // by the controller, at the last row
-  std::array<PerAxis<std::int64_t>, kSpeedTicks> before_{};
+  std::array<TruePoint, kSpeedTicks> before_{};
   std::size_t rest_rows_ = 0;    // since the motors stand
   std::size_t at_end_rows_ = 0;  // since the arm is at the end of its path
   std::size_t off_rows_ = 0;     // since all servo power is away

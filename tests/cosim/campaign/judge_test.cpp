@@ -207,6 +207,21 @@ TEST(CampaignJudge, FindsASpeedAboveTheLimit) {
   }
 }
 
+// A campaign took each of these for a speed above the limit: while the clock of the logic stands there are no rows.
+TEST(CampaignJudge, MeasuresTheSpeedAlsoWhereRowsAreMissing) {
+  constexpr std::int64_t kMissing = 100;
+  for (const std::int64_t half_counts : {24, 26}) {
+    JudgedRun run;
+    run.begin(ClockStop{.duration_s = 5e-3});
+    run.run_to(kFaultTick + 20, [&](TraceRow& row, std::int64_t tick) {
+      const std::int64_t late = tick < kFaultTick ? 0 : kMissing;
+      row.cycle = cycle_of(tick + late).value();
+      row.motor_counts[0] = (tick + late) * half_counts / 2;
+    });
+    EXPECT_EQ(run.verdict().outcome == Outcome::kLimitExceeded, half_counts == 26) << half_counts;
+  }
+}
+
 TEST(CampaignJudge, FindsAnArmThatStandsBeforeItsEnd) {
   JudgedRun run;
   run.run_to(kFaultTick);
