@@ -104,10 +104,21 @@ void FaultInjector::stop(const AxisBlocked& fault) {
 }
 
 void FaultInjector::start(const BrakeSlip& fault) {
-  targets_.plant.weaken_brake(index_of(fault.axis), fault.share, now_);
+  slips_.push_back(fault);
+  set_brake(fault.axis);
 }
 void FaultInjector::stop(const BrakeSlip& fault) {
-  targets_.plant.weaken_brake(index_of(fault.axis), 1.0, now_);
+  slips_.erase(std::ranges::find(slips_, fault));
+  set_brake(fault.axis);
+}
+
+// Of several faults of a brake the worst one counts.
+void FaultInjector::set_brake(int axis) {
+  double share = 1.0;
+  for (const BrakeSlip& slip : slips_) {
+    if (slip.axis == axis) share = std::min(share, slip.share);
+  }
+  targets_.plant.weaken_brake(index_of(axis), share, now_);
 }
 
 void FaultInjector::start(const InterruptLost&) {

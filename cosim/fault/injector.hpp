@@ -81,6 +81,7 @@ class FaultInjector {
   void stop(const AxisBlocked& fault);
   void start(const BrakeSlip& fault);
   void stop(const BrakeSlip& fault);
+  void set_brake(int axis);
   void start(const InterruptLost& fault);
   void stop(const InterruptLost& fault);
   void start(const UartOverrun& fault);
@@ -108,6 +109,7 @@ class FaultInjector {
   int blocked_ = 0;                 // faults that hold a motor
   int interrupts_lost_ = 0;         // faults that hide the interrupt of axi_timer
   int uart_unheard_ = 0;            // faults that hide the interrupt of axi_uart16550
+  std::vector<BrakeSlip> slips_;    // of all brakes
   std::vector<Cycles> slow_;        // delays of responses
   std::vector<SlaveError> errors_;  // with the accesses that are left
   bool bus_errs_ = false;
