@@ -39,4 +39,9 @@ void AxisControl::not_emitted(Pulses count) noexcept {
   feedback_.not_emitted(count);
 }
 
+void AxisControl::set_emitted(Pulses emitted, Pulses active) noexcept {
+  quantizer_.not_emitted(quantizer_.committed() - emitted - active);
+  feedback_.not_emitted(feedback_.sent() - emitted);
+}
+
 }  // namespace armature

@@ -29,6 +29,9 @@ class AxisControl {
   // `count` pulses of a commit did not fit in their tick, as the logic reports; next() sends them again.
   void not_emitted(Pulses count) noexcept;
 
+  // In truth `emitted` pulses were emitted so far, and `active` follow in this tick; next() sends what is missing.
+  void set_emitted(Pulses emitted, Pulses active) noexcept;
+
   // The count to commit so that the axis follows `reference`, within the axis' speed limit and the largest count of a
   // tick. With feedback the count includes the correction that `measured` requires.
   [[nodiscard]] Pulses next(Radians reference, Counts measured) noexcept {
@@ -70,7 +73,7 @@ class AxisControl {
   AxisUnits units_;
   double following_error_limit_rad_;
   double following_error_limit_;  // [pulses]
-  double max_deviation_;  // [pulses]; infinity: not checked
+  double max_deviation_;          // [pulses]; infinity: not checked
   bool checks_deviation_;
   bool feedback_on_;
   PulseQuantizer quantizer_;

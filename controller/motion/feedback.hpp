@@ -43,6 +43,8 @@ class Feedback {
   // Open loop, instead of correct(): only the deviation is measured.
   void observe(Counts measured) noexcept;
 
+  // The pulses emitted so far, as of restart() and tick_emitted().
+  [[nodiscard]] Pulses sent() const noexcept { return drive_.sent(); }
   // What the drive seems to have lost since restart(), corrected or not [pulses].
   [[nodiscard]] double loss() const noexcept { return loss_; }
   // How far the encoder is from where the nominal drive would be, less what a real drive may deviate [pulses].

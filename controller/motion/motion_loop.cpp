@@ -119,6 +119,12 @@ void MotionLoop::account_for_emission(const LogicInput& input) noexcept {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (input.not_emitted[axis] != Pulses{0}) axes_[axis].not_emitted(input.not_emitted[axis]);
   }
+  if (emission_.uncertain()) [[unlikely]] {
+    const PerAxis<Pulses>& emitted = logic_.emitted();
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      axes_[axis].set_emitted(emitted[axis], emission_.active()[axis]);
+    }
+  }
 }
 
 MotionLoop::Finding MotionLoop::find_fault(const LogicInput& input) const noexcept {

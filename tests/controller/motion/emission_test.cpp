@@ -52,6 +52,22 @@ TEST(Emission, OversleptTicksAreEmpty) {
   EXPECT_EQ(observe(emission, 2, 3), (Ended{5, 6, 0, 0}));
 }
 
+TEST(Emission, IsUncertainAfterASetThatNobodyKnows) {
+  Emission emission;
+  emission.committed(all(5), 1);
+  (void)observe(emission, 1, 0);
+  emission.committed(all(6), 2);
+  EXPECT_FALSE(emission.uncertain());
+  EXPECT_EQ(observe(emission, 77, 0), Ended{5});  // it has replaced the set of 6
+  EXPECT_TRUE(emission.uncertain());
+  emission.committed(all(7), 3);
+  EXPECT_EQ(observe(emission, 3, 0), Ended{0});  // in truth as many as the unknown set had
+  EXPECT_TRUE(emission.uncertain());
+  emission.committed(all(8), 4);
+  EXPECT_EQ(observe(emission, 4, 0), Ended{7});
+  EXPECT_FALSE(emission.uncertain());
+}
+
 TEST(Emission, NothingEndsWithoutATrigger) {
   Emission emission;
   emission.committed(all(5), 1);
