@@ -1,4 +1,4 @@
-#include "cosim/cli/commands/cli.hpp"
+#include "cosim/cli/main/cli.hpp"
 
 int main(int argc, char** argv) {
   return armature::cosim::cli_main(argc, argv);

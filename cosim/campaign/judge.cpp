@@ -127,7 +127,8 @@ void CampaignJudge::check_speed(const TruePoint& now) {
   if (rows_ < kSpeedTicks) return;
   const TruePoint& before = before_[rows_ % kSpeedTicks];
   // While the clock of the logic stands there are no rows, but the motors turn.
-  const double ticks = static_cast<double>(now.cycle - before.cycle) / static_cast<double>(armature::kTickCycles.value());
+  const double ticks =
+      static_cast<double>(now.cycle - before.cycle) / static_cast<double>(armature::kTickCycles.value());
   for (std::size_t i = 0; i < limits_.axis_count; ++i) {
     const auto counts = static_cast<double>(std::abs(now.motor_counts[i] - before.motor_counts[i]));
     if (counts > limits_.axes[i].max_counts_per_tick * ticks) {

@@ -281,7 +281,7 @@ void Conservation::report(const Shortage& shortage) {
 }
 
 void Conservation::report(std::int64_t tick, std::size_t axis, Cycles cycle, const std::string& what) {
-  if (violation_) return;
+  if (violation_ || !checks_) return;
   violation_ = fmt::format("conservation: tick {}, axis {}, cycle {}: {}", tick, axis + 1, cycle.value(), what);
 }
 

@@ -7,8 +7,11 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "controller/base/units.hpp"
+#include "cosim/fabric/flops/flop.hpp"
 #include "cosim/logic/logic_spec.hpp"
 #include "cosim/logic/pins.hpp"
 
@@ -63,6 +66,14 @@ class Fabric {
 
   // Leaves out every further edge of the gated clock of these blocks, also the edges that they need.
   virtual void stop_clock_of(ClockGroup group) = 0;
+
+  // The registers of the logic, if the fabric has any (flops/flops.hpp).
+  [[nodiscard]] virtual std::vector<Flop> flops() { return {}; }
+  // Inverts a bit of a register before the next edge. The gated clocks go on as active_o says: a block that rests keeps
+  // the bit until it gets an edge. Returns false, and does nothing, if there is no such bit.
+  virtual bool flip(std::string_view /*flop*/, int /*bit*/) { return false; }
+  // Of the values of all registers. Call it only if there are flops().
+  [[nodiscard]] virtual std::uint64_t flop_digest() { return 0; }
 
   // Values after the last edge.
   [[nodiscard]] virtual const SocOutputs& outputs() const = 0;

@@ -1,9 +1,12 @@
 // A fabric that passes every call on to another one. A derived class overrides the calls that it treats differently.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "cosim/fabric/fabric.hpp"
 
@@ -16,6 +19,9 @@ class FabricWrapper : public Fabric {
   bool run(std::int64_t limit) override { return inner_->run(limit); }
   void stand_still(std::int64_t cycles) override { inner_->stand_still(cycles); }
   void stop_clock_of(ClockGroup group) override { inner_->stop_clock_of(group); }
+  [[nodiscard]] std::vector<Flop> flops() override { return inner_->flops(); }
+  bool flip(std::string_view flop, int bit) override { return inner_->flip(flop, bit); }
+  [[nodiscard]] std::uint64_t flop_digest() override { return inner_->flop_digest(); }
   [[nodiscard]] const SocOutputs& outputs() const override { return inner_->outputs(); }
   [[nodiscard]] AxiSlavePins slave() const override { return inner_->slave(); }
   [[nodiscard]] Cycles cycle() const override { return inner_->cycle(); }

@@ -7,7 +7,9 @@
 #include <Varm_soc_paper___024root.h>
 #include <verilated.h>
 #include <Varm_soc_direct.hpp>
+#include <Varm_soc_flops.hpp>
 #include <Varm_soc_paper_direct.hpp>
+#include <Varm_soc_paper_flops.hpp>
 #if VM_COVERAGE
 #include <unistd.h>
 #include <verilated_cov.h>
@@ -16,11 +18,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <type_traits>
+#include <vector>
 
 #include "cosim/fabric/direct_eval.hpp"
+#include "cosim/fabric/flops/flops.hpp"
 #include "cosim/fabric/gated_clocks.hpp"
 #include "cosim/fabric/model_bus.hpp"
 #include "cosim/fabric/model_pins.hpp"
@@ -110,11 +116,9 @@ class VerilatedFabric final : public Fabric {
   }
 
   bool run(std::int64_t limit) override {
-    const bool changed = vcd_.isOpen()   ? run_with_waves(limit)
-                         : stopped_ == 0 ? run_edges(limit, NoneStopped{})
-                                         : run_edges(limit, stopped_);
-    if (context_.gotError()) [[unlikely]]
-      throw LogicCheckFailed{cycle()};
+    if (just_flipped_) [[unlikely]]
+      return run_after_flip();
+    const bool changed = run_unflipped(limit);
     if (changed) outputs_ = sample_pins(model_);
     return changed;
   }
@@ -129,6 +133,20 @@ class VerilatedFabric final : public Fabric {
     static_assert(clock_of(ClockGroup::kIo) == kIoClock && clock_of(ClockGroup::kMotion) == kMotionClock &&
                   clock_of(ClockGroup::kEncoder) == kEncoderClock);
     stopped_ |= clock_of(group);
+  }
+
+  std::vector<Flop> flops() override {
+    return known_flops().list();
+  }
+
+  bool flip(std::string_view flop, int bit) override {
+    if (!known_flops().flip(flop, bit)) return false;
+    just_flipped_ = true;
+    return true;
+  }
+
+  std::uint64_t flop_digest() override {
+    return known_flops().digest();
   }
 
   const SocOutputs& outputs() const override {
@@ -161,6 +179,35 @@ class VerilatedFabric final : public Fabric {
   }
 
  private:
+  bool run_unflipped(std::int64_t limit) {
+    const bool changed = vcd_.isOpen()   ? run_with_waves(limit)
+                         : stopped_ == 0 ? run_edges(limit, NoneStopped{})
+                                         : run_edges(limit, stopped_);
+    if (context_.gotError()) [[unlikely]]
+      throw LogicCheckFailed{cycle()};
+    return changed;
+  }
+
+  // One edge. The flip may have changed pins, too.
+  bool run_after_flip() {
+    just_flipped_ = false;
+    run_unflipped(1);
+    const SocOutputs before = outputs_;
+    outputs_ = sample_pins(model_);
+    return outputs_ != before;
+  }
+
+  Flops& known_flops() {
+    if (!flops_) {
+      std::vector<FlopPlace> places;
+      if constexpr (FlopPlaces<Model>::kKnown) places = FlopPlaces<Model>::of(model_);
+      flops_.emplace(places, [this] {
+        if constexpr (FlopPlaces<Model>::kKnown) FlopPlaces<Model>::settle(model_);
+      });
+    }
+    return *flops_;
+  }
+
   // `stopped` is stopped_, or the constant 0, which costs no time.
   using NoneStopped = std::integral_constant<unsigned, 0>;
   bool run_edges(std::int64_t limit, auto stopped) {
@@ -210,6 +257,8 @@ class VerilatedFabric final : public Fabric {
   VerilatedVcdC vcd_{&file_};
   std::int64_t cycle_ = 0;
   unsigned stopped_ = 0;  // gated clocks without edges, bits as in active_o
+  bool just_flipped_ = false;
+  std::optional<Flops> flops_;  // as soon as somebody asks
   SocOutputs outputs_;
 };
 

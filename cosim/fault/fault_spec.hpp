@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <variant>
 
 #include "cosim/logic/logic_spec.hpp"
@@ -207,6 +208,14 @@ struct RegisterFlip {
   friend bool operator==(const RegisterFlip&, const RegisterFlip&) = default;
 };
 
+// A bit of a flop of the logic flips, as by radiation.
+struct FlopFlip {
+  std::string flop{};  // below the top module, as in waveforms: `u_axi_timer.u_core.enall_q`
+  int bit = 0;         // 0..255
+
+  friend bool operator==(const FlopFlip&, const FlopFlip&) = default;
+};
+
 // The brake of an axis holds less, for this time.
 struct BrakeSlip {
   int axis = 1;           // 1..6
@@ -242,6 +251,12 @@ struct UartOverrun {
   friend bool operator==(const UartOverrun&, const UartOverrun&) = default;
 };
 
+// A kind that needs an engine with flops.
+template <class Kind>
+concept FaultOfFlop = requires(const Kind& fault) {
+  fault.flop;
+};
+
 // A kind whose fault ends after a time.
 template <class Kind>
 concept FaultWithDuration = requires(const Kind& fault) {
@@ -249,10 +264,11 @@ concept FaultWithDuration = requires(const Kind& fault) {
 };
 
 // The members of a struct are the keys of its kind.
-using FaultKind = std::variant<PulseLoss, SlowCore, Estop, ClockStop, StrayWrite, BlockHang, ExtraPulses, DriveAlarm,
-                               AxisBlocked, EncoderStuck, EncoderCable, EncoderSwapped, EncoderChatter, EncoderNoise,
-                               EncoderMiscount, IndexSlip, SwitchStuck, SwitchBounce, InterruptLost, CoreOneStuck,
-                               SlaveError, SlowSlave, RegisterFlip, BrakeSlip, UartBreak, UartNoise, UartOverrun>;
+using FaultKind =
+    std::variant<PulseLoss, SlowCore, Estop, ClockStop, StrayWrite, BlockHang, ExtraPulses, DriveAlarm, AxisBlocked,
+                 EncoderStuck, EncoderCable, EncoderSwapped, EncoderChatter, EncoderNoise, EncoderMiscount, IndexSlip,
+                 SwitchStuck, SwitchBounce, InterruptLost, CoreOneStuck, SlaveError, SlowSlave, RegisterFlip, BrakeSlip,
+                 UartBreak, UartNoise, UartOverrun, FlopFlip>;
 
 // What a fault waits for, from its time on.
 enum class FaultWhen : std::uint8_t {

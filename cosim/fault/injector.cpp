@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <numeric>
+#include <stdexcept>
 #include <variant>
 
 #include "controller/regs/soc_map.hpp"
@@ -153,6 +154,11 @@ void FaultInjector::stop(const SlowSlave& fault) {
 
 void FaultInjector::start(const RegisterFlip& fault) {
   targets_.processor.flip_astray(static_cast<std::uint32_t>(fault.address), std::uint32_t{1} << fault.bit);
+}
+
+void FaultInjector::start(const FlopFlip& fault) {
+  if (!targets_.soc.flip(fault.flop, fault.bit)) throw std::invalid_argument{"no flop " + fault.flop};
+  flops_flipped_ = true;
 }
 
 }  // namespace armature::cosim

@@ -51,6 +51,9 @@ class FaultInjector {
   // The axes whose encoder has had a fault, one bit each: POSITION need not follow the motor any more.
   [[nodiscard]] std::uint8_t false_encoders() const { return lines_.false_encoders(); }
 
+  // Whether a flop has flipped: the logic need not do what it should.
+  [[nodiscard]] bool has_flipped_flops() const { return flops_flipped_; }
+
   // The interrupt levels of the chip as the processor sees them.
   [[nodiscard]] std::uint8_t seen_interrupts(std::uint8_t levels) const;
 
@@ -62,7 +65,7 @@ class FaultInjector {
 
   // Whether a fault explains error responses of the bus to accesses of the program. Without such a fault they are an
   // error of the program.
-  [[nodiscard]] bool explains_bus_errors() const { return blocks_hang_ || bus_errs_; }
+  [[nodiscard]] bool explains_bus_errors() const { return blocks_hang_ || bus_errs_ || flops_flipped_; }
 
  private:
   // One start() for each kind, and one stop() for each kind with a duration.
@@ -91,6 +94,7 @@ class FaultInjector {
   void start(const SlowSlave& fault);
   void stop(const SlowSlave& fault);
   void start(const RegisterFlip& fault);
+  void start(const FlopFlip& fault);
   template <LineFault Kind>
   void start(const Kind& fault) {
     lines_.begin(fault, now_);
@@ -113,6 +117,7 @@ class FaultInjector {
   std::vector<Cycles> slow_;        // delays of responses
   std::vector<SlaveError> errors_;  // with the accesses that are left
   bool bus_errs_ = false;
+  bool flops_flipped_ = false;
 };
 
 }  // namespace armature::cosim

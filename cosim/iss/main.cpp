@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "cosim/cli/commands/cli.hpp"
+#include "cosim/cli/main/cli.hpp"
 #include "cosim/cpu/make_processor.hpp"
 #include "cosim/iss/arm_program.hpp"
 #include "cosim/iss/debug/debug_command.hpp"

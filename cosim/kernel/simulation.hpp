@@ -95,6 +95,9 @@ class Simulation final : private RunAhead {
   void add(const StreamStep& step) { script_.add(now(), step); }
   // Ends such a fault, or one of the scenario, before its time.
   void end_fault(const FaultSpec& fault) { script_.end(fault, now()); }
+  // Of the logic, as of Soc.
+  [[nodiscard]] std::vector<Flop> flops() { return soc_->flops(); }
+  [[nodiscard]] std::uint64_t logic_digest() { return soc_->digest(); }
   // Ends a run that is not over.
   void interrupt();
   [[nodiscard]] Cycles now() const { return soc_->now(); }
@@ -115,6 +118,8 @@ class Simulation final : private RunAhead {
   void take_fallen_interrupts();
   void show_interrupts();
   void after_fault();
+  // Throws InputError if the logic does not have the flop of the fault.
+  void require_flop(const FaultSpec& fault) const;
   Outcome noticed_access(const BusRequest& request, TimeAhead& time);
   Outcome continue_access(Soc::Progress progress, const BusRequest& request, TimeAhead& time);
   Outcome end_access(const Soc::Progress& progress, const BusRequest& request, TimeAhead& time);

@@ -1,10 +1,19 @@
 // The actions of the scenario during the run.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <utility>
 #include <variant>
+#include <vector>
 
 #include "controller/base/overloaded.hpp"
 #include "cosim/kernel/simulation.hpp"
 #include "cosim/scenario/move_text.hpp"
 #include "cosim/scenario/to_controller.hpp"
+#include "cosim/text/input_error.hpp"
+#include "cosim/text/suggest.hpp"
 #include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
@@ -47,11 +56,33 @@ void Simulation::act(const ScriptAction& action) {
       action);
 }
 
+void Simulation::require_flop(const FaultSpec& fault) const {
+  const auto* flip = std::get_if<FlopFlip>(&fault.kind);
+  if (flip == nullptr) return;
+  const std::vector<Flop> flops = soc_->flops();
+  const auto found = std::ranges::find(flops, flip->flop, &Flop::name);
+  const auto fail = [&](std::string_view key, std::string message) {
+    throw InputError{Problem{.file = scenario_.file,
+                             .origin = {.line = fault.line, .column = 1, .override_text = {}},
+                             .key = std::string{key},
+                             .message = std::move(message)}};
+  };
+  if (found == flops.end()) {
+    std::vector<std::string_view> names(flops.size());
+    std::ranges::transform(flops, names.begin(), &Flop::name);
+    const std::string_view near = nearest_name(flip->flop, names);
+    fail("flop", fmt::format("expected a flop that 'armature flops' lists, found \"{}\"{}", flip->flop,
+                             near.empty() ? "" : fmt::format(", did you mean \"{}\"?", near)));
+  }
+  if (flip->bit >= found->bits) fail("bit", fmt::format("expected 0 to {}, found {}", found->bits - 1, flip->bit));
+}
+
 // After a fault has begun or ended.
 void Simulation::after_fault() {
   conservation_.on_clock(now(), injector_.clock_runs());
   conservation_.do_not_check_positions(injector_.false_encoders());
   conservation_.allow_late_responses(injector_.response_delay());
+  if (injector_.has_flipped_flops()) conservation_.stop_checking();
   drive_inputs();
   show_interrupts();
 }

@@ -61,6 +61,8 @@ class Run final : private SimulationListener {
   void add_action(const CommandSpec& command) { simulation_.add(command); }
   void add_action(const StreamStep& step) { simulation_.add(step); }
   void end_fault(const FaultSpec& fault) { simulation_.end_fault(fault); }
+  [[nodiscard]] std::vector<Flop> flops() { return simulation_.flops(); }
+  [[nodiscard]] std::uint64_t logic_digest() { return simulation_.logic_digest(); }
   void write_wave(WaveRequest wave) { simulation_.write_wave(std::move(wave)); }
   void close_wave() { simulation_.close_wave(); }
 

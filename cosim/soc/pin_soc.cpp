@@ -46,6 +46,11 @@ bool PinSoc::step_access() {
   if (now() < master_.next_event()) return false;
   response_ = master_.step(now(), fabric_->slave());
   fabric_->set_master(master_.pins());
+  if (response_) {
+    constexpr std::uint64_t kOddFactor = 0x9E37'79B9'7F4A'7C15;
+    const std::uint64_t kind = static_cast<std::uint64_t>(response_->error) << 32;
+    responses_ = (responses_ ^ response_->data ^ kind) * kOddFactor + static_cast<std::uint64_t>(now().value());
+  }
   return response_.has_value();
 }
 

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string_view>
+#include <vector>
 
 #include "cosim/bus/axi_lite_master.hpp"
 #include "cosim/bus/bus_spec.hpp"
@@ -21,6 +23,10 @@ class PinSoc final : public Soc {
   bool advance(Cycles limit, StopOn stop_on) override;
   void set_clock_running(bool running) override;
   void stop_clock_of(ClockGroup group) override { fabric_->stop_clock_of(group); }
+
+  [[nodiscard]] std::vector<Flop> flops() override { return fabric_->flops(); }
+  bool flip(std::string_view flop, int bit) override { return fabric_->flip(flop, bit); }
+  [[nodiscard]] std::uint64_t digest() override { return fabric_->flop_digest() ^ responses_; }
 
   [[nodiscard]] bool idle() const override { return master_.idle() && !response_; }
   std::optional<Cycles> start(const BusRequest& request) override;  // always none: the end is not known in advance
@@ -44,6 +50,7 @@ class PinSoc final : public Soc {
   AxiLiteMaster master_;
   std::optional<BusResponse> response_;  // not popped yet
   Cycles access_timeout_;
+  std::uint64_t responses_ = 0;  // digest of all of them
   bool clock_running_ = true;
   Cycles stopped_at_{};  // of a clock that does not run
 };

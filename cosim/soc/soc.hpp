@@ -10,6 +10,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string_view>
+#include <vector>
 
 #include "controller/base/units.hpp"
 #include "cosim/bus/bus_access.hpp"
@@ -57,6 +59,13 @@ class Soc {
 
   // Stops the gated clock of these blocks for good (fault script). They answer no access any more.
   virtual void stop_clock_of(ClockGroup group) = 0;
+
+  // ---- flops (fault script), as of Fabric
+  [[nodiscard]] virtual std::vector<Flop> flops() { return {}; }  // none: the engine has no flops
+  virtual bool flip(std::string_view /*flop*/, int /*bit*/) { return false; }
+  // Of the values of all flops, and of all responses so far. Two runs of an engine with equal digests, equal pins and
+  // an equal past of their pins go on equally. Only for engines with flops.
+  [[nodiscard]] virtual std::uint64_t digest() { return 0; }
 
   // ---- registers: one access at a time, started at now()
 

@@ -17,7 +17,7 @@
 #include <tuple>
 
 #include "cosim/cli/command/command.hpp"
-#include "cosim/cli/commands/cli.hpp"
+#include "cosim/cli/main/cli.hpp"
 #include "cosim/cli/options/kinematics_io.hpp"
 #include "tests/controller/support/random.hpp"
 #include "tests/cosim/support/temp_folder.hpp"

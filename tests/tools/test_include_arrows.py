@@ -156,6 +156,7 @@ COSIM = {
     "snapshot": {"net"},
     "serve": {"text", "net", "logic", "soc"},
 }
+COSIM["flops"] = COSIM["campaign"] | {"campaign", "snapshot", "net"}
 COSIM["rewind"] = COSIM["run"] | {"run", "logic", "snapshot"}
 COSIM["live"] = COSIM["run"] | {"run", "robot", "mesh", "programs", "poses", "logic", "fault", "pendant", "page"}
 COSIM["live"] |= {"snapshot"}
@@ -188,6 +189,7 @@ REPORT = {
 CLI = {
     "command": set(),
     "options": {"command"},
+    "main": {"command", "options"},
     "waves": {"command", "options"},
     "kinematics": {"command", "options"},
     "run": {"command", "options", "waves"},

@@ -3,12 +3,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstddef>
-#include <cstdlib>
 #include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -19,6 +17,7 @@
 #include "cosim/campaign/campaign_table.hpp"
 #include "cosim/campaign/shrink.hpp"
 #include "cosim/cli/command/command.hpp"
+#include "cosim/cli/command/shard.hpp"
 #include "cosim/cli/options/output_files.hpp"
 #include "cosim/cli/options/output_options.hpp"
 #include "cosim/cli/options/value_kinds.hpp"
@@ -29,7 +28,6 @@
 #include "cosim/report/format/progress_bar.hpp"
 #include "cosim/scenario/files/robot_loader.hpp"
 #include "cosim/text/input_error.hpp"
-#include "cosim/text/number_text.hpp"
 #include "cosim/text/printable.hpp"
 #include "cosim/text/shell_text.hpp"
 #include "cosim/text/text_file.hpp"
@@ -59,10 +57,6 @@ shard computes the groups of six runs whose number modulo N is I. The environmen
 TEST_SHARD_INDEX, as of GoogleTest, mean the same as --shard.
 Exit code: 0 no silent error, 1 a silent error, or a shard is missing, 2 bad input, 3 internal error, 130 interrupted.)";
 
-struct Shard {
-  std::int64_t index = 0, total = 1;
-};
-
 struct CampaignOptions {
   std::int64_t runs = 200;
   std::uint64_t seed = 1;
@@ -77,24 +71,6 @@ struct CampaignOptions {
   std::vector<std::filesystem::path> merge;
   OutputOptions output;
 };
-
-Shard shard_of(const CampaignOptions& given) {
-  std::string text = given.shard, name = "--shard";
-  if (text.empty()) {
-    const char* total = std::getenv("TEST_TOTAL_SHARDS");
-    const char* index = std::getenv("TEST_SHARD_INDEX");
-    if (total == nullptr || index == nullptr) return {};
-    text = fmt::format("{}/{}", index, total);
-    name = "TEST_SHARD_INDEX/TEST_TOTAL_SHARDS";
-  }
-  const std::size_t slash = std::min(text.find('/'), text.size());
-  const auto index = parsed_number<std::int64_t>(std::string_view{text}.substr(0, slash));
-  const auto total = parsed_number<std::int64_t>(std::string_view{text}.substr(std::min(slash + 1, text.size())));
-  if (!index || !total || *index < 0 || *index >= *total) {
-    throw InputError{name, fmt::format("expected I/N with 0 <= I < N, found {}", printable(text))};
-  }
-  return {*index, *total};
-}
 
 Engine engine_of(const CampaignOptions& given) {
   return given.engine.value_or(Engine::kModel);
@@ -223,7 +199,7 @@ void claim_outputs(const CampaignOptions& given) {
 int run_campaign(const CampaignOptions& given, const SearchPath& path) {
   claim_outputs(given);
   if (!given.merge.empty()) return merge_tables(given, path);
-  const Shard shard = shard_of(given);
+  const Shard shard = shard_of(given.shard);
   const CampaignSpec spec = campaign_spec(given, path);
   catch_interrupts();
   const std::vector<CampaignResult> results = run_all(given, spec, shard);

@@ -38,6 +38,8 @@ bool KeyContext::has(Needs needs) const {
       return scenario != nullptr && has_program(*scenario, ProgramLanguage::kGcode);
     case Needs::kJob:
       return scenario != nullptr && has_program(*scenario, ProgramLanguage::kJob);
+    case Needs::kFlops:
+      return scenario != nullptr && scenario->engine == Engine::kRtl;
     case Needs::kNothing:
       break;
   }

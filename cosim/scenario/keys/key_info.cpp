@@ -20,6 +20,8 @@ std::string needs_text(Needs needs, std::string_view robot_file, std::string_vie
     case Needs::kJob:
       return fmt::format(
           "{0}program = \"NAME.jbi\"{0}, or a .jbi file that the pendant sends (a live one: {0}[pendant]{0})", quote);
+    case Needs::kFlops:
+      return fmt::format("{0}engine = \"rtl\"{0}, as only the RTL has flops", quote);
     case Needs::kNothing:
       break;
   }

@@ -20,6 +20,7 @@ enum class Needs {
   kProgram,     // a program in any language
   kGcode,       // a program in G-code
   kJob,         // a robot program
+  kFlops,       // engine = "rtl"
 };
 // `[kinematics] in FILE`: what is needed. `robot_file` names the file of the robot, and `quote` is put around names
 // that are written in a file. Empty for kNothing.

@@ -17,6 +17,7 @@
 namespace armature::cosim {
 
 inline constexpr double kMaxWord = 0xFFFF'FFFF;
+inline constexpr double kMaxFlopBits = 256;  // no flop has more
 
 template <class Kind>
 struct FaultEntry {

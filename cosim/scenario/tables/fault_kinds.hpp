@@ -173,4 +173,20 @@ template <>
   return kEntry;
 }
 
+template <>
+[[nodiscard]] inline const FaultEntry<FlopFlip>& fault_entry<FlopFlip>() {
+  static const FaultEntry<FlopFlip> kEntry{
+      .name = "flop_flip",
+      .text = "a bit of a flop of the logic flips between two clock edges",
+      .keys = {key("flop", &FlopFlip::flop, anything(),
+                   "Name of the flop below the top module, as in a waveform: `u_axi_timer.u_core.enall_q`. "
+                   "`armature flops` lists them.")
+                   .required()
+                   .needs(Needs::kFlops),
+               key("bit", &FlopFlip::bit, between(0, kMaxFlopBits - 1), "Number of the bit of the flop.").required()},
+      .details = [](const FlopFlip& fault) { return fmt::format(" of bit {} of {}", fault.bit, fault.flop); },
+  };
+  return kEntry;
+}
+
 }  // namespace armature::cosim

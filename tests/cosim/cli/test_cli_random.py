@@ -17,6 +17,7 @@ COUNT = int(os.environ.get("ARMATURE_RANDOM_SCENARIOS", "200"))
 DRAWS_FOR_EVERY_KEY = 400
 NOT_DRAWN = {
     "cpu.cpi",  # needs armature-iss
+    "fault.flop",  # needs the RTL
     # of a robot with plant = "dynamic"
     *("expect.final_load_deg", "expect.load_tolerance_deg"),
     *("expect.lost_motion_deg", "expect.lost_motion_tolerance_deg"),

@@ -1,5 +1,5 @@
-// Two equal faults that overlap in time are as one that lasts from the first begin to the last end. The faults are drawn
-// as those of a campaign.
+// Two equal faults that overlap in time are as one that lasts from the first begin to the last end. The faults are
+// drawn as those of a campaign.
 #include <gtest/gtest.h>
 
 #include <concepts>
@@ -29,9 +29,9 @@ constexpr int kOfAKind = 5;  // draws
 
 // Two of them do more than one, or their seconds fall on other cycles.
 template <class Kind>
-constexpr bool kAddsUp = std::same_as<Kind, EncoderSwapped> || std::same_as<Kind, EncoderChatter> ||
-    std::same_as<Kind, EncoderNoise> || std::same_as<Kind, SwitchBounce> || std::same_as<Kind, UartNoise> ||
-    std::same_as<Kind, SlowSlave>;
+constexpr bool kAddsUp =
+    std::same_as<Kind, EncoderSwapped> || std::same_as<Kind, EncoderChatter> || std::same_as<Kind, EncoderNoise> ||
+    std::same_as<Kind, SwitchBounce> || std::same_as<Kind, UartNoise> || std::same_as<Kind, SlowSlave>;
 
 template <class Kind>
 constexpr bool kIsAsOne = FaultWithDuration<Kind> && !kAddsUp<Kind>;

@@ -32,6 +32,7 @@ ONLY_LOADER = re.compile(
             r"wrist of a six-axis arm",
             r"does not stop",
             r"variant = ",
+            r"needs engine = ",
             r"needs a table",
             r"needs a serial\.parity",
             r"unknown robot",

@@ -39,6 +39,7 @@ TEST(FaultText, SaysInWordsWhatTheScenarioSaysInKeys) {
   EXPECT_EQ(fault_text({.kind = UartOverrun{.duration_s = 0.5}}), "uart_overrun for 0.5 s");
   EXPECT_EQ(fault_text({.kind = RegisterFlip{.address = 0x4280'0000, .bit = 7}}),
             "register_flip of bit 7 at 0x42800000");
+  EXPECT_EQ(fault_text({.kind = FlopFlip{.flop = "u_xbar.busy_q", .bit = 3}}), "flop_flip of bit 3 of u_xbar.busy_q");
 }
 
 TEST(FaultText, GivesTheKeysOfTheKindWithTheirValues) {

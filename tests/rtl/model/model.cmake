@@ -51,7 +51,8 @@ file(GLOB rtl_headers CONFIGURE_DEPENDS ${ARMATURE_ROOT}/rtl/common/*.svh)
 describe_gate(model_mutants.whole_ticks TARGETS model_mutants_whole_ticks PACKAGES python3.11
   INCLUDES ${whole_ticks_test} ${simulation_sources}
   INPUTS ${CMAKE_CURRENT_LIST_DIR}/mutants.toml ${CMAKE_CURRENT_LIST_DIR}/weave.py ${ARMATURE_RTL_SOURCES} ${rtl_headers}
-         ${ARMATURE_ROOT}/rtl/lint.vlt ${ARMATURE_ROOT}/tools/direct_eval ${ARMATURE_ROOT}/tests/mutants/expect_killed.py)
+         ${ARMATURE_ROOT}/rtl/lint.vlt ${ARMATURE_ROOT}/tools/direct_eval ${ARMATURE_ROOT}/tools/flops
+         ${ARMATURE_ROOT}/tests/mutants/expect_killed.py)
 
 # add_model_mutant(<name> <number> <block> <GoogleTest filter>): passes if lock-step finds the mutant.
 function(add_model_mutant NAME NUMBER BLOCK KILLED_BY)

@@ -1,4 +1,4 @@
-#include "cosim/cli/commands/cli.hpp"
+#include "cosim/cli/main/cli.hpp"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,183 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "controller/base/timebase.hpp"
+#include "cosim/campaign/draw.hpp"
+#include "cosim/cli/command/command.hpp"
+#include "cosim/cli/command/shard.hpp"
+#include "cosim/cli/options/output_options.hpp"
+#include "cosim/cli/options/value_kinds.hpp"
+#include "cosim/cli/run/interrupt.hpp"
+#include "cosim/fabric/verilated_fabric.hpp"
+#include "cosim/flops/flop_table.hpp"
+#include "cosim/report/format/progress_bar.hpp"
+#include "cosim/scenario/files/scenario_loader.hpp"
+#include "cosim/text/input_error.hpp"
+#include "cosim/text/json.hpp"
+#include "cosim/text/printable.hpp"
+
+namespace armature::cosim {
+namespace {
+
+constexpr const char* kFlopsDetails = R"(Examples:
+  armature flops
+  armature flops fig9_joint_move --every 4000
+  armature flops fig9_joint_move --every 500 --block u_axi_timer --jobs 2 --json
+
+Without a scenario it lists the flops of the logic and their bits, for the keys of [[fault]] with kind = "flop_flip".
+With one it runs the scenario on the RTL once for each flip: of each bit, or of every K-th, at each instant. The instants
+are spread over the time in which the arm moves, each at a random clock edge of its tick. The outcomes are those of
+'armature campaign': 'masked' is a flip after which logic, pins and responses are soon as without it, 'finished' a run that
+ends at its target, 'stopped' one whose servo power was taken away. All others are silent errors. The last columns are the ticks
+of 50 us from the flip to the first response. For each silent error it prints the command that repeats the run.
+Registers that only hold a value for the next edge, and memories (arrays called 'memory'), are not flipped.
+A shard has every N-th flip from I on; TEST_TOTAL_SHARDS and TEST_SHARD_INDEX mean the same as --shard.
+Exit code: 0 no silent error, 1 a silent error, 2 bad input, 3 internal error, 130 interrupted.)";
+
+struct FlopsOptions {
+  std::optional<std::string> scenario;
+  int instants = 1;
+  std::int64_t every = 1;
+  std::uint64_t seed = 1;
+  int jobs = 1;
+  std::string block, shard;
+  OutputOptions output;
+};
+
+int list_flops(const FlopsOptions& given) {
+  const std::vector<Flop> flops = make_verilated_fabric()->flops();
+  std::int64_t bits = 0;
+  Json list = Json::array();
+  for (const Flop& flop : flops) {
+    if (!given.block.empty() && block_of(flop.name) != given.block) continue;
+    bits += flop.bits;
+    list.push_back({{"flop", flop.name}, {"bits", flop.bits}});
+    if (!given.output.json) std::cout << fmt::format("{:>4}  {}\n", flop.bits, flop.name);
+  }
+  if (given.output.json) {
+    print_json({{"bits", bits}, {"flops", list}});
+  } else if (!given.output.quiet) {
+    std::cout << fmt::format("{:>4}  bits of {} flops\n", bits, list.size());
+  }
+  return list.empty() ? kExitBadInput : kExitOk;
+}
+
+// Spread over the ticks in which the motors move.
+std::vector<Cycles> instants_of(const UnflippedRun& run, const FlopsOptions& given) {
+  const std::vector<TruePoint>& points = run.path.points;
+  const auto moves = [&](std::size_t i) { return points[i].motor_counts != points[i + 1].motor_counts; };
+  std::size_t first = 0, last = points.size() - 1;
+  while (first + 1 < last && !moves(first)) ++first;
+  while (last > first + 1 && !moves(last - 1)) --last;
+  Draw draw{given.seed, 0, 0};
+  std::vector<Cycles> instants;
+  const auto count = static_cast<std::size_t>(given.instants);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t tick = first + (last - first) * (2 * i + 1) / (2 * count);
+    instants.emplace_back(points[tick].cycle + draw.integer(1, armature::kTickCycles.value()));
+  }
+  return instants;
+}
+
+std::vector<FlopFlipAt> flips_of(const std::vector<Flop>& flops, const std::vector<Cycles>& instants,
+                                 const FlopsOptions& given, Shard shard) {
+  std::vector<FlopFlipAt> flips;
+  for (const Cycles at : instants) {
+    std::int64_t bits = 0, number = 0;
+    for (const Flop& flop : flops) {
+      if (!given.block.empty() && block_of(flop.name) != given.block) continue;
+      for (int bit = 0; bit < flop.bits; ++bit) {
+        if (bits++ % given.every != 0) continue;
+        if (number++ % shard.total == shard.index) flips.push_back({flop.name, bit, at});
+      }
+    }
+  }
+  return flips;
+}
+
+int print_results(const FlopsOptions& given, const std::vector<FlopResult>& results) {
+  FlopTable table;
+  for (const FlopResult& result : results) table.add(result);
+  if (given.output.json) {
+    print_json(to_json(table));
+  } else {
+    if (!given.output.quiet) std::cout << flop_table_text(table);
+    for (const FlopResult& result : table.silent)
+      std::cout << printable_lines(silent_flip_text(result, *given.scenario));
+  }
+  if (interrupted()) return kExitInterrupted;
+  return table.silent.empty() ? kExitOk : kExitCheckFailed;
+}
+
+int run_flops(const FlopsOptions& given, const SearchPath& path) {
+  if (!given.scenario) return list_flops(given);
+  const Shard shard = shard_of(given.shard);
+  const Scenario scenario = load_scenario(*given.scenario, {.search_path = path, .logic = {.engine = Engine::kRtl}});
+  catch_interrupts();
+  const std::optional<UnflippedRun> unflipped = run_unflipped(scenario, interrupted);
+  if (!unflipped) return kExitInterrupted;
+  if (unflipped->verdict.outcome != Outcome::kFinished) {
+    throw InputError{scenario.file, fmt::format("expected a run that ends well without a flip, found {}: {}",
+                                                outcome_text(unflipped->verdict.outcome), unflipped->verdict.reason)};
+  }
+  FlopSweep sweep{.flips = flips_of(flops_of(scenario), instants_of(*unflipped, given), given, shard),
+                  .jobs = given.jobs,
+                  .stop = interrupted};
+  if (sweep.flips.empty()) throw InputError{"--block", "no flop, see 'armature flops'"};
+  const bool shows_progress = !given.output.quiet && stderr_is_terminal();
+  if (shows_progress) {
+    sweep.progress = [&](std::size_t done) {
+      std::cerr << fmt::format("\r{} of {} flips", done, sweep.flips.size()) << std::flush;
+    };
+  }
+  const std::vector<FlopResult> results = sweep_flops(scenario, *unflipped, sweep);
+  if (shows_progress) std::cerr << "\r\x1b[K" << std::flush;
+  return print_results(given, results);
+}
+
+CommandAction declare_flops(CLI::App& app) {
+  const auto options = std::make_shared<FlopsOptions>();
+  CLI::Option* scenario = app.add_option("scenario", options->scenario, "Scenario in which each flop is flipped")
+                              ->type_name(kScenarioValue);
+  app.add_option("--instants", options->instants, "Instants at which each bit is flipped, each in a run of its own")
+      ->check(CLI::Range(1, 1'000))
+      ->capture_default_str()
+      ->needs(scenario);
+  app.add_option("--every", options->every, "Flip every K-th bit only, in the order of the list")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000}))
+      ->capture_default_str()
+      ->needs(scenario);
+  app.add_option("--block", options->block, "Only the flops of this block, such as u_pulse_train");
+  app.add_option("--seed", options->seed, "Seed of the clock edges in their ticks")
+      ->capture_default_str()
+      ->needs(scenario);
+  app.add_option("--jobs,-j", options->jobs, "Number of runs that are computed at the same time")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str()
+      ->needs(scenario);
+  app.add_option("--shard", options->shard, "Only part I of N parts of the flips, I from 0: I/N")->needs(scenario);
+  add_quiet_option(app, options->output);
+  add_json_option(app, options->output);
+  return [options](const CommonOptions& common) { return run_flops(*options, common.search_path()); };
+}
+
+}  // namespace
+
+Subcommand flops_command() {
+  return {.name = "flops",
+          .order = 26,
+          .summary = "List the flops of the logic, or flip each of them and look for silent errors",
+          .details = kFlopsDetails,
+          .declare = declare_flops};
+}
+
+}  // namespace armature::cosim

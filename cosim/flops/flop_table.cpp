@@ -1,0 +1,110 @@
+#include "cosim/flops/flop_table.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstddef>
+#include <numeric>
+#include <string_view>
+#include <utility>
+
+#include "cosim/text/number_text.hpp"
+#include "cosim/text/shell_text.hpp"
+#include "cosim/time/clock.hpp"
+
+namespace armature::cosim {
+namespace {
+
+constexpr std::array kColumns{"flips", "masked", "finished", "stopped", "silent", "least", "median", "99 %", "most"};
+
+std::int64_t sum_of(const OutcomeCounts& counts) {
+  return std::accumulate(counts.begin(), counts.end(), std::int64_t{0});
+}
+
+std::int64_t silent_of(const OutcomeCounts& counts) {
+  std::int64_t silent = 0;
+  for (std::size_t i = 0; i < kOutcomes; ++i) {
+    if (is_silent(static_cast<Outcome>(i))) silent += counts[i];
+  }
+  return silent;
+}
+
+std::string row_text(std::string_view name, const KindRow& row) {
+  const auto at = [&](Outcome outcome) { return row.alone[static_cast<std::size_t>(outcome)]; };
+  std::string text = fmt::format("{:<16}{:>9}{:>9}{:>10}{:>9}{:>8}", name, sum_of(row.alone), at(Outcome::kMasked),
+                                 at(Outcome::kFinished), at(Outcome::kStopped), silent_of(row.alone));
+  if (const Latency latency = latency_of(row); latency.runs > 0) {
+    text += fmt::format("{:>8}{:>8}{:>8}{:>8}", latency.least, latency.median, latency.most_of_all, latency.most);
+  }
+  return text + '\n';
+}
+
+std::string at_text(const FlopResult& result) {
+  return fixed_text(to_seconds(result.flip.at), 8);
+}
+
+}  // namespace
+
+std::string block_of(const std::string& flop) {
+  const std::size_t begin = flop.find("u_"), end = flop.find('.', begin);
+  return begin == std::string::npos || end == std::string::npos ? "pins" : flop.substr(begin, end - begin);
+}
+
+void FlopTable::add(const FlopResult& result) {
+  KindRow& row = blocks[block_of(result.flip.flop)];
+  ++row.alone[static_cast<std::size_t>(result.verdict.outcome)];
+  if (result.verdict.latency_ticks) ++row.latencies[*result.verdict.latency_ticks];
+  if (is_silent(result.verdict.outcome)) silent.push_back(result);
+}
+
+OutcomeCounts FlopTable::total() const {
+  OutcomeCounts total{};
+  for (const auto& [name, row] : blocks) {
+    for (std::size_t i = 0; i < kOutcomes; ++i) total[i] += row.alone[i];
+  }
+  return total;
+}
+
+Json to_json(const FlopTable& table) {
+  Json json;
+  json["blocks"] = Json::object();
+  for (const auto& [name, row] : table.blocks) {
+    Json counts = Json::object(), latencies = Json::array();
+    for (std::size_t i = 0; i < kOutcomes; ++i) counts[std::string{kWordsOf<Outcome>[i]}] = row.alone[i];
+    for (const auto& [ticks, runs] : row.latencies) latencies.push_back({ticks, runs});
+    json["blocks"][name] = {{"outcomes", std::move(counts)}, {"latency_ticks", std::move(latencies)}};
+  }
+  json["silent"] = Json::array();
+  for (const FlopResult& result : table.silent) {
+    json["silent"].push_back({{"flop", result.flip.flop},
+                              {"bit", result.flip.bit},
+                              {"at_s", to_seconds(result.flip.at)},
+                              {"outcome", word_of(result.verdict.outcome)},
+                              {"reason", result.verdict.reason}});
+  }
+  return json;
+}
+
+std::string flop_table_text(const FlopTable& table) {
+  std::string text = fmt::format("{:>94}\n", "ticks to the first response");
+  text += fmt::format("{:<16}{:>9}{:>9}{:>10}{:>9}{:>8}{:>8}{:>8}{:>8}{:>8}\n", "block", kColumns[0], kColumns[1],
+                      kColumns[2], kColumns[3], kColumns[4], kColumns[5], kColumns[6], kColumns[7], kColumns[8]);
+  KindRow all;
+  for (const auto& [name, row] : table.blocks) {
+    text += row_text(name, row);
+    for (const auto& [ticks, runs] : row.latencies) all.latencies[ticks] += runs;
+  }
+  all.alone = table.total();
+  return text + row_text("all", all);
+}
+
+std::string silent_flip_text(const FlopResult& result, const std::string& scenario) {
+  const std::string fault = fmt::format("fault=[{{at_s={},kind=\"flop_flip\",flop=\"{}\",bit={}}}]", at_text(result),
+                                        result.flip.flop, result.flip.bit);
+  return fmt::format(
+      "SILENT  bit {} of {} at {} s: {}: {}\n      to repeat it: armature run {} --engine rtl --set {}\n",
+      result.flip.bit, result.flip.flop, at_text(result), outcome_text(result.verdict.outcome), result.verdict.reason,
+      shell_word(scenario), shell_word(fault));
+}
+
+}  // namespace armature::cosim
