@@ -42,7 +42,9 @@ class Status {
     this.timer = setTimeout(() => { if (document.body.dataset.status === 'open') this.why.textContent = ''; }, 5000);
   }
 
+  // The last state may be drawn after the connection was lost.
   show(state) {
+    if (document.body.dataset.status !== 'open') return;
     this.state.textContent = state.alarm && state.state === 'alarm' ? `alarm: ${state.alarm}` : state.state;
     this.state.dataset.state = state.state;
     this.clock.textContent = `${state.t.toFixed(2)} s`;

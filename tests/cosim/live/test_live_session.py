@@ -79,7 +79,7 @@ class Session(LivePage):
         self.switch_on()
         self.end(process)
         self.until("live.connection.status === 'lost'")
-        self.page.run("new Promise(done => setTimeout(done, 300))")
+        self.page.run("live.status.show(live.state)")  # as a picture that comes late
         self.assertEqual(
             self.page.run("[live.status.state.textContent, live.status.state.dataset.state]"), ["no connection", "off"]
         )
