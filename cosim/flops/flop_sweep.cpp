@@ -34,14 +34,14 @@ class States : public RunListener {
     constexpr std::uint64_t kOddFactor = 0x9E37'79B9'7F4A'7C15;
     rows_ = (rows_ ^ tick_hash(row)) * kOddFactor;
     ++count_;
-    on_state(rows_ ^ run_.logic_digest());
+    on_state(rows_ ^ run_.logic_digest(), Cycles{row.cycle});
   }
 
  protected:
   [[nodiscard]] std::size_t count() const { return count_; }
 
  private:
-  virtual void on_state(std::uint64_t state) = 0;
+  virtual void on_state(std::uint64_t state, Cycles at) = 0;
 
   Run& run_;
   std::uint64_t rows_ = 0;
@@ -54,23 +54,25 @@ class KeptStates final : public States {
   std::vector<std::uint64_t> states;
 
  private:
-  void on_state(std::uint64_t state) override { states.push_back(state); }
+  void on_state(std::uint64_t state, Cycles) override { states.push_back(state); }
 };
 
-// Compares them with those of the run without a flip, from a flip on.
+// Compares them with those of the run without a flip, after a flip.
 class ComparedStates final : public States {
  public:
   ComparedStates(Run& run, const std::vector<std::uint64_t>& unflipped) : States{run}, unflipped_{unflipped} {}
 
-  void begin() { equal_ = false; }
+  void flipped(Cycles at) { flipped_at_ = at; }
   [[nodiscard]] bool equal() const { return equal_; }
 
  private:
-  void on_state(std::uint64_t state) override {
+  void on_state(std::uint64_t state, Cycles at) override {
+    if (!flipped_at_ || at <= *flipped_at_) return;
     equal_ = equal_ || (count() <= unflipped_.size() && state == unflipped_[count() - 1]);
   }
 
   const std::vector<std::uint64_t>& unflipped_;
+  std::optional<Cycles> flipped_at_;
   bool equal_ = false;
 };
 
@@ -101,7 +103,8 @@ class RunToInstant {
       : limits_{judge_limits(scenario.robot)},
         judge_{limits_, unflipped.path, Cycles{}},
         run_{scenario},
-        states_{run_, unflipped.states} {
+        states_{run_, unflipped.states},
+        may_end_early_{!scenario.serial} {
     run_.add(judge_);
     run_.add(states_);
   }
@@ -117,13 +120,14 @@ class RunToInstant {
     constexpr Cycles kSoon{2 * armature::kTickCycles.value()};
     const FaultKind kind = FlopFlip{.flop = flip.flop, .bit = flip.bit};
     run_.add_action(FaultSpec{.at_s = to_seconds(run_.now()), .kind = kind});
-    states_.begin();
+    states_.flipped(run_.now());
+    const auto is_over = [&] { return may_end_early_ && states_.equal(); };
     // Most flips are over soon.
     for (Cycles slice = kSoon; run_.advance(run_.now() + slice) && !judge_.may_end();
          slice = std::min(slice + slice, kSweepSlice)) {
-      if (states_.equal()) return {.outcome = Outcome::kMasked};
+      if (is_over()) return {.outcome = Outcome::kMasked};
     }
-    if (states_.equal()) return {.outcome = Outcome::kMasked};
+    if (is_over()) return {.outcome = Outcome::kMasked};
     return judge_.verdict(run_.finish().failure);
   }
 
@@ -132,6 +136,7 @@ class RunToInstant {
   CampaignJudge judge_;
   Run run_;
   ComparedStates states_;
+  bool may_end_early_;  // the far end of a serial line may have seen what the states do not show any more
 };
 
 struct Copy {

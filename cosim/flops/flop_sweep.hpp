@@ -2,7 +2,8 @@
 //
 // All runs are those of one scenario on the RTL. For an instant the scenario runs up to it once; then a copy of the
 // process makes each flip (cosim/snapshot). A copy ends as soon as the logic has the state of the run without a flip,
-// and nobody has seen a difference: from there on both go on equally.
+// and cores and arm have seen no difference: from there on both go on equally. If the scenario has a serial line, each
+// copy runs to its end.
 #pragma once
 
 #include <cstdint>
