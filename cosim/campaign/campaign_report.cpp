@@ -15,7 +15,7 @@ namespace {
 
 std::int64_t silent_in(const OutcomeCounts& counts) {
   std::int64_t silent = 0;
-  for (std::size_t i = 0; i < kOutcomes; ++i) {
+  for (std::size_t i = 0; i < kOutcomeCount; ++i) {
     if (is_silent(static_cast<Outcome>(i))) silent += counts[i];
   }
   return silent;
@@ -67,7 +67,7 @@ std::string counts_text(const CampaignTable& table) {
   std::string text =
       fmt::format("{} of {} runs, seed {}, engine {}", table.done, table.head.runs, table.head.seed, table.head.engine);
   const char* mark = ": ";
-  for (std::size_t i = 0; i < kOutcomes; ++i) {
+  for (std::size_t i = 0; i < kOutcomeCount; ++i) {
     if (table.all[i] == 0) continue;
     text += fmt::format("{}{} {}", mark, table.all[i], outcome_text(static_cast<Outcome>(i)));
     mark = ", ";
@@ -146,7 +146,7 @@ std::vector<JunitCase> campaign_cases(const CampaignTable& table, const std::str
   const std::vector<ReportRow> rows = rows_of(table);
   for (const ReportRow& row : rows) {
     JunitCase one{.name = row.name};
-    for (std::size_t i = 0; i < kOutcomes; ++i) {
+    for (std::size_t i = 0; i < kOutcomeCount; ++i) {
       const std::int64_t runs = row.alone[i] + row.with_others[i];
       if (runs > 0) one.properties.emplace_back(kWordsOf<Outcome>[i], std::to_string(runs));
     }

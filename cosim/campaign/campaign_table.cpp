@@ -12,20 +12,20 @@ namespace {
 
 Json counts_json(const OutcomeCounts& counts) {
   Json json = Json::object();
-  for (std::size_t i = 0; i < kOutcomes; ++i) json[std::string{kWordsOf<Outcome>[i]}] = counts[i];
+  for (std::size_t i = 0; i < kOutcomeCount; ++i) json[std::string{kWordsOf<Outcome>[i]}] = counts[i];
   return json;
 }
 
 OutcomeCounts counts_of(const Json& json) {
   OutcomeCounts counts{};
-  for (std::size_t i = 0; i < kOutcomes; ++i) {
+  for (std::size_t i = 0; i < kOutcomeCount; ++i) {
     counts[i] = json.at(std::string{kWordsOf<Outcome>[i]}).get<std::int64_t>();
   }
   return counts;
 }
 
 void add_counts(OutcomeCounts& to, const OutcomeCounts& from) {
-  for (std::size_t i = 0; i < kOutcomes; ++i) to[i] += from[i];
+  for (std::size_t i = 0; i < kOutcomeCount; ++i) to[i] += from[i];
 }
 
 CampaignTable parsed(const Json& json) {

@@ -15,8 +15,8 @@
 
 namespace armature::cosim {
 
-inline constexpr std::size_t kOutcomes = kWordsOf<Outcome>.size();
-using OutcomeCounts = std::array<std::int64_t, kOutcomes>;
+inline constexpr std::size_t kOutcomeCount = kWordsOf<Outcome>.size();
+using OutcomeCounts = std::array<std::int64_t, kOutcomeCount>;
 
 // Of the runs in which this kind is the only fault, and of those in which it is one of several.
 struct KindRow {

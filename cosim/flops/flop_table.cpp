@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cstddef>
 #include <numeric>
 #include <string_view>
@@ -15,7 +14,9 @@
 namespace armature::cosim {
 namespace {
 
-constexpr std::array kColumns{"flips", "masked", "finished", "stopped", "silent", "least", "median", "99 %", "most"};
+constexpr std::string_view kTableHead =
+    "                                                                   ticks to the first response\n"
+    "block               flips   masked  finished  stopped  silent   least  median    99 %    most\n";
 
 std::int64_t sum_of(const OutcomeCounts& counts) {
   return std::accumulate(counts.begin(), counts.end(), std::int64_t{0});
@@ -23,7 +24,7 @@ std::int64_t sum_of(const OutcomeCounts& counts) {
 
 std::int64_t silent_of(const OutcomeCounts& counts) {
   std::int64_t silent = 0;
-  for (std::size_t i = 0; i < kOutcomes; ++i) {
+  for (std::size_t i = 0; i < kOutcomeCount; ++i) {
     if (is_silent(static_cast<Outcome>(i))) silent += counts[i];
   }
   return silent;
@@ -60,7 +61,7 @@ void FlopTable::add(const FlopResult& result) {
 OutcomeCounts FlopTable::total() const {
   OutcomeCounts total{};
   for (const auto& [name, row] : blocks) {
-    for (std::size_t i = 0; i < kOutcomes; ++i) total[i] += row.alone[i];
+    for (std::size_t i = 0; i < kOutcomeCount; ++i) total[i] += row.alone[i];
   }
   return total;
 }
@@ -70,7 +71,7 @@ Json to_json(const FlopTable& table) {
   json["blocks"] = Json::object();
   for (const auto& [name, row] : table.blocks) {
     Json counts = Json::object(), latencies = Json::array();
-    for (std::size_t i = 0; i < kOutcomes; ++i) counts[std::string{kWordsOf<Outcome>[i]}] = row.alone[i];
+    for (std::size_t i = 0; i < kOutcomeCount; ++i) counts[std::string{kWordsOf<Outcome>[i]}] = row.alone[i];
     for (const auto& [ticks, runs] : row.latencies) latencies.push_back({ticks, runs});
     json["blocks"][name] = {{"outcomes", std::move(counts)}, {"latency_ticks", std::move(latencies)}};
   }
@@ -86,9 +87,7 @@ Json to_json(const FlopTable& table) {
 }
 
 std::string flop_table_text(const FlopTable& table) {
-  std::string text = fmt::format("{:>94}\n", "ticks to the first response");
-  text += fmt::format("{:<16}{:>9}{:>9}{:>10}{:>9}{:>8}{:>8}{:>8}{:>8}{:>8}\n", "block", kColumns[0], kColumns[1],
-                      kColumns[2], kColumns[3], kColumns[4], kColumns[5], kColumns[6], kColumns[7], kColumns[8]);
+  std::string text{kTableHead};
   KindRow all;
   for (const auto& [name, row] : table.blocks) {
     text += row_text(name, row);

@@ -121,7 +121,9 @@ int print_results(const FlopsOptions& given, const std::vector<FlopResult>& resu
 int run_flops(const FlopsOptions& given, const SearchPath& path) {
   if (!given.scenario) return list_flops(given);
   const Shard shard = shard_of(given.shard);
-  const Scenario scenario = load_scenario(*given.scenario, {.search_path = path, .logic = {.engine = Engine::kRtl}});
+  LoadOptions load{.search_path = path};
+  load.logic.engine = Engine::kRtl;
+  const Scenario scenario = load_scenario(*given.scenario, load);
   catch_interrupts();
   const std::optional<UnflippedRun> unflipped = run_unflipped(scenario, interrupted);
   if (!unflipped) return kExitInterrupted;
