@@ -13,14 +13,6 @@
 namespace armature::cosim {
 namespace {
 
-std::int64_t silent_in(const OutcomeCounts& counts) {
-  std::int64_t silent = 0;
-  for (std::size_t i = 0; i < kOutcomeCount; ++i) {
-    if (is_silent(static_cast<Outcome>(i))) silent += counts[i];
-  }
-  return silent;
-}
-
 // The rows of the table: name, runs with this fault alone, runs with it and another one.
 struct ReportRow {
   std::string name;
@@ -41,14 +33,12 @@ std::vector<ReportRow> rows_of(const CampaignTable& table) {
 
 std::vector<std::string> cells_of(const ReportRow& row) {
   const auto at = [&](Outcome outcome) { return std::to_string(row.alone[static_cast<std::size_t>(outcome)]); };
-  std::int64_t others = 0;
-  for (const std::int64_t count : row.with_others) others += count;
   std::vector<std::string> cells{row.name,
                                  at(Outcome::kFinished),
                                  at(Outcome::kStopped),
                                  at(Outcome::kMasked),
                                  std::to_string(silent_in(row.alone)),
-                                 std::to_string(others),
+                                 std::to_string(sum_of(row.with_others)),
                                  std::to_string(silent_in(row.with_others))};
   const Latency& latency = row.latency;
   for (const std::int64_t ticks : {latency.least, latency.median, latency.most_of_all, latency.most}) {

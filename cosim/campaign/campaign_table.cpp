@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -10,22 +11,12 @@
 namespace armature::cosim {
 namespace {
 
-Json counts_json(const OutcomeCounts& counts) {
-  Json json = Json::object();
-  for (std::size_t i = 0; i < kOutcomeCount; ++i) json[std::string{kWordsOf<Outcome>[i]}] = counts[i];
-  return json;
-}
-
 OutcomeCounts counts_of(const Json& json) {
   OutcomeCounts counts{};
   for (std::size_t i = 0; i < kOutcomeCount; ++i) {
     counts[i] = json.at(std::string{kWordsOf<Outcome>[i]}).get<std::int64_t>();
   }
   return counts;
-}
-
-void add_counts(OutcomeCounts& to, const OutcomeCounts& from) {
-  for (std::size_t i = 0; i < kOutcomeCount; ++i) to[i] += from[i];
 }
 
 CampaignTable parsed(const Json& json) {
@@ -60,6 +51,28 @@ CampaignTable parsed(const Json& json) {
 
 }  // namespace
 
+std::int64_t sum_of(const OutcomeCounts& counts) {
+  return std::accumulate(counts.begin(), counts.end(), std::int64_t{0});
+}
+
+std::int64_t silent_in(const OutcomeCounts& counts) {
+  std::int64_t silent = 0;
+  for (std::size_t i = 0; i < kOutcomeCount; ++i) {
+    if (is_silent(static_cast<Outcome>(i))) silent += counts[i];
+  }
+  return silent;
+}
+
+void add_counts(OutcomeCounts& to, const OutcomeCounts& from) {
+  for (std::size_t i = 0; i < kOutcomeCount; ++i) to[i] += from[i];
+}
+
+Json counts_json(const OutcomeCounts& counts) {
+  Json json = Json::object();
+  for (std::size_t i = 0; i < kOutcomeCount; ++i) json[std::string{kWordsOf<Outcome>[i]}] = counts[i];
+  return json;
+}
+
 Latency latency_of(const KindRow& row) {
   Latency latency;
   for (const auto& [ticks, runs] : row.latencies) latency.runs += runs;
@@ -79,6 +92,12 @@ Latency latency_of(const KindRow& row) {
   latency.most_of_all = quantile(99);
   latency.most = row.latencies.rbegin()->first;
   return latency;
+}
+
+Json latencies_json(const KindRow& row) {
+  Json latencies = Json::array();
+  for (const auto& [ticks, runs] : row.latencies) latencies.push_back({ticks, runs});
+  return latencies;
 }
 
 void CampaignTable::add(const CampaignResult& result) {
@@ -131,11 +150,9 @@ Json to_json(const CampaignTable& table) {
   json["without_fault"] = counts_json(table.without);
   json["kinds"] = Json::object();
   for (const auto& [name, row] : table.kinds) {
-    Json latencies = Json::array();
-    for (const auto& [ticks, runs] : row.latencies) latencies.push_back({ticks, runs});
     json["kinds"][name] = {{"alone", counts_json(row.alone)},
                            {"with_others", counts_json(row.with_others)},
-                           {"latency_ticks", std::move(latencies)}};
+                           {"latency_ticks", latencies_json(row)}};
   }
   json["silent"] = Json::array();
   for (const SilentRun& run : table.silent) {

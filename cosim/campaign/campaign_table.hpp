@@ -18,6 +18,12 @@ namespace armature::cosim {
 inline constexpr std::size_t kOutcomeCount = kWordsOf<Outcome>.size();
 using OutcomeCounts = std::array<std::int64_t, kOutcomeCount>;
 
+[[nodiscard]] std::int64_t sum_of(const OutcomeCounts& counts);
+[[nodiscard]] std::int64_t silent_in(const OutcomeCounts& counts);
+void add_counts(OutcomeCounts& to, const OutcomeCounts& from);
+// By the words of the outcomes.
+[[nodiscard]] Json counts_json(const OutcomeCounts& counts);
+
 // Of the runs in which this kind is the only fault, and of those in which it is one of several.
 struct KindRow {
   OutcomeCounts alone{}, with_others{};
@@ -29,6 +35,8 @@ struct Latency {
   std::int64_t runs = 0, least = 0, median = 0, most_of_all = 0 /* 99 % */, most = 0;
 };
 [[nodiscard]] Latency latency_of(const KindRow& row);
+// Pairs of ticks and runs.
+[[nodiscard]] Json latencies_json(const KindRow& row);
 
 struct SilentRun {
   std::int64_t run = 0;

@@ -1,15 +1,11 @@
 #include "cosim/flops/flop_sweep.hpp"
 
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
-#include <cstring>
 #include <deque>
 #include <exception>
 #include <memory>
-#include <stdexcept>
 #include <utility>
 
 #include "controller/base/timebase.hpp"
@@ -18,6 +14,7 @@
 #include "cosim/run/run.hpp"
 #include "cosim/snapshot/copied_process.hpp"
 #include "cosim/snapshot/message_channel.hpp"
+#include "cosim/snapshot/text_message.hpp"
 #include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
@@ -34,14 +31,15 @@ class States : public RunListener {
     constexpr std::uint64_t kOddFactor = 0x9E37'79B9'7F4A'7C15;
     rows_ = (rows_ ^ tick_hash(row)) * kOddFactor;
     ++count_;
-    on_state(rows_ ^ run_.logic_digest(), Cycles{row.cycle});
+    on_tick(Cycles{row.cycle});
   }
 
  protected:
   [[nodiscard]] std::size_t count() const { return count_; }
+  [[nodiscard]] std::uint64_t state() const { return rows_ ^ run_.logic_digest(); }
 
  private:
-  virtual void on_state(std::uint64_t state, Cycles at) = 0;
+  virtual void on_tick(Cycles at) = 0;
 
   Run& run_;
   std::uint64_t rows_ = 0;
@@ -54,7 +52,7 @@ class KeptStates final : public States {
   std::vector<std::uint64_t> states;
 
  private:
-  void on_state(std::uint64_t state, Cycles) override { states.push_back(state); }
+  void on_tick(Cycles) override { states.push_back(state()); }
 };
 
 // Compares them with those of the run without a flip, after a flip.
@@ -66,9 +64,9 @@ class ComparedStates final : public States {
   [[nodiscard]] bool equal() const { return equal_; }
 
  private:
-  void on_state(std::uint64_t state, Cycles at) override {
-    if (!flipped_at_ || at <= *flipped_at_) return;
-    equal_ = equal_ || (count() <= unflipped_.size() && state == unflipped_[count() - 1]);
+  void on_tick(Cycles at) override {
+    if (!flipped_at_ || at <= *flipped_at_ || equal_ || count() > unflipped_.size()) return;
+    equal_ = state() == unflipped_[count() - 1];
   }
 
   const std::vector<std::uint64_t>& unflipped_;
@@ -76,22 +74,22 @@ class ComparedStates final : public States {
   bool equal_ = false;
 };
 
-// A verdict on its way from a copy.
+// A verdict on its way from a copy. The reason follows as a text.
 struct VerdictMessage {
   Outcome outcome = Outcome::kFailed;
   std::int64_t latency_ticks = -1;  // negative: none
-  std::array<char, 160> reason{};   // with a final 0
 };
 
-VerdictMessage to_message(const Verdict& verdict) {
-  VerdictMessage message{.outcome = verdict.outcome, .latency_ticks = verdict.latency_ticks.value_or(-1)};
-  std::memcpy(message.reason.data(), verdict.reason.data(), std::min(verdict.reason.size(), message.reason.size() - 1));
-  return message;
+bool send(MessageChannel& channel, const Verdict& verdict) {
+  const VerdictMessage message{.outcome = verdict.outcome, .latency_ticks = verdict.latency_ticks.value_or(-1)};
+  return channel.send(message) && send_text(channel, verdict.reason);
 }
 
-Verdict to_verdict(const std::optional<VerdictMessage>& message) {
-  if (!message) return {.outcome = Outcome::kFailed, .reason = "the program has crashed"};
-  Verdict verdict{.outcome = message->outcome, .reason = message->reason.data()};
+Verdict receive(MessageChannel& channel) {
+  const auto message = channel.receive<VerdictMessage>();
+  auto reason = message ? receive_text(channel) : std::nullopt;
+  if (!reason) return {.outcome = Outcome::kFailed, .reason = "the program has crashed"};
+  Verdict verdict{.outcome = message->outcome, .reason = std::move(*reason)};
   if (message->latency_ticks >= 0) verdict.latency_ticks = message->latency_ticks;
   return verdict;
 }
@@ -148,13 +146,13 @@ Copy copy_with_flip(RunToInstant& run, const FlopFlipAt& flip) {
   auto [mine, other] = MessageChannel::pair();
   const pid_t process = copy_this_process(other.descriptor());
   if (process == 0) {
-    VerdictMessage message;
+    Verdict verdict;
     try {
-      message = to_message(run.judge_flip(flip));
+      verdict = run.judge_flip(flip);
     } catch (const std::exception& error) {
-      message = to_message({.outcome = Outcome::kFailed, .reason = error.what()});
+      verdict = {.outcome = Outcome::kFailed, .reason = error.what()};
     }
-    ::_exit(other.send(message) ? 0 : 1);
+    ::_exit(send(other, verdict) ? 0 : 1);
   }
   return {process, std::move(mine)};
 }
@@ -166,7 +164,7 @@ bool flip_all(RunToInstant& run, const FlopSweep& sweep, std::size_t begin, std:
   const auto take_result = [&] {
     Copy copy = std::move(copies.front());
     copies.pop_front();
-    const Verdict verdict = to_verdict(copy.channel.receive<VerdictMessage>());
+    const Verdict verdict = receive(copy.channel);
     wait_for_end(copy.process);
     results.push_back({sweep.flips[results.size()], verdict});
     if (sweep.progress) sweep.progress(results.size());

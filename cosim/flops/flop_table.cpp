@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 
 #include <cstddef>
-#include <numeric>
 #include <string_view>
-#include <utility>
 
 #include "cosim/text/number_text.hpp"
 #include "cosim/text/shell_text.hpp"
@@ -18,22 +16,10 @@ constexpr std::string_view kTableHead =
     "                                                                   ticks to the first response\n"
     "block               flips   masked  finished  stopped  silent   least  median    99 %    most\n";
 
-std::int64_t sum_of(const OutcomeCounts& counts) {
-  return std::accumulate(counts.begin(), counts.end(), std::int64_t{0});
-}
-
-std::int64_t silent_of(const OutcomeCounts& counts) {
-  std::int64_t silent = 0;
-  for (std::size_t i = 0; i < kOutcomeCount; ++i) {
-    if (is_silent(static_cast<Outcome>(i))) silent += counts[i];
-  }
-  return silent;
-}
-
 std::string row_text(std::string_view name, const KindRow& row) {
   const auto at = [&](Outcome outcome) { return row.alone[static_cast<std::size_t>(outcome)]; };
   std::string text = fmt::format("{:<16}{:>9}{:>9}{:>10}{:>9}{:>8}", name, sum_of(row.alone), at(Outcome::kMasked),
-                                 at(Outcome::kFinished), at(Outcome::kStopped), silent_of(row.alone));
+                                 at(Outcome::kFinished), at(Outcome::kStopped), silent_in(row.alone));
   if (const Latency latency = latency_of(row); latency.runs > 0) {
     text += fmt::format("{:>8}{:>8}{:>8}{:>8}", latency.least, latency.median, latency.most_of_all, latency.most);
   }
@@ -60,9 +46,7 @@ void FlopTable::add(const FlopResult& result) {
 
 OutcomeCounts FlopTable::total() const {
   OutcomeCounts total{};
-  for (const auto& [name, row] : blocks) {
-    for (std::size_t i = 0; i < kOutcomeCount; ++i) total[i] += row.alone[i];
-  }
+  for (const auto& [name, row] : blocks) add_counts(total, row.alone);
   return total;
 }
 
@@ -70,10 +54,7 @@ Json to_json(const FlopTable& table) {
   Json json;
   json["blocks"] = Json::object();
   for (const auto& [name, row] : table.blocks) {
-    Json counts = Json::object(), latencies = Json::array();
-    for (std::size_t i = 0; i < kOutcomeCount; ++i) counts[std::string{kWordsOf<Outcome>[i]}] = row.alone[i];
-    for (const auto& [ticks, runs] : row.latencies) latencies.push_back({ticks, runs});
-    json["blocks"][name] = {{"outcomes", std::move(counts)}, {"latency_ticks", std::move(latencies)}};
+    json["blocks"][name] = {{"outcomes", counts_json(row.alone)}, {"latency_ticks", latencies_json(row)}};
   }
   json["silent"] = Json::array();
   for (const FlopResult& result : table.silent) {
