@@ -1,7 +1,7 @@
 #include "cosim/fault/injector.hpp"
 
+#include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <stdexcept>
 #include <variant>
 
@@ -19,31 +19,49 @@ std::size_t index_of(int axis) {
 
 void FaultInjector::begin(const FaultKind& kind, Cycles now) {
   now_ = now;
-  std::visit([this](const auto& fault) { start(fault); }, kind);
+  std::visit(
+      [&]<class Kind>(const Kind& fault) {
+        if constexpr (FaultWithDuration<Kind>) active_.add(kind);
+        start(fault);
+      },
+      kind);
+  follow_clock();
 }
 
 void FaultInjector::end(const FaultKind& kind, Cycles now) {
   now_ = now;
   std::visit(
-      [this]<class Kind>(const Kind& fault) {
-        if constexpr (FaultWithDuration<Kind>) stop(fault);
+      [&]<class Kind>(const Kind& fault) {
+        if constexpr (FaultWithDuration<Kind>) {
+          active_.remove(kind);
+          stop(fault);
+        }
       },
       kind);
+  follow_clock();
+}
+
+void FaultInjector::follow_clock() {
+  if (clock_runs() == clock_ran_) return;
+  clock_ran_ = clock_runs();
+  targets_.soc.set_clock_running(clock_ran_);
 }
 
 void FaultInjector::apply_to(SocInputs& pins) const {
   lines_.apply_to(pins);
-  if (estops_ > 0) pins.estop_n = false;
+  if (active_.any<Estop>()) pins.estop_n = false;
 }
 
 std::uint8_t FaultInjector::seen_interrupts(std::uint8_t levels) const {
   constexpr unsigned kTimer = 1u << regs::soc::kAxiTimerIrq, kUart = 1u << regs::soc::kAxiUart16550Irq;
-  const unsigned hidden = (interrupts_lost_ > 0 ? kTimer : 0u) | (uart_unheard_ > 0 ? kUart : 0u);
+  const unsigned hidden = (active_.any<InterruptLost>() ? kTimer : 0u) | (active_.any<UartOverrun>() ? kUart : 0u);
   return static_cast<std::uint8_t>(levels & ~hidden);
 }
 
 Cycles FaultInjector::response_delay() const {
-  return std::accumulate(slow_.begin(), slow_.end(), Cycles{});
+  Cycles delay{};
+  active_.for_each<SlowSlave>([&](const SlowSlave& slow) { delay += to_cycles(slow.delay_us * 1e-6); });
+  return delay;
 }
 
 bool FaultInjector::takes_for_error(std::uint32_t address) {
@@ -59,20 +77,6 @@ void FaultInjector::start(const PulseLoss& fault) {
 
 void FaultInjector::start(const SlowCore& fault) {
   targets_.processor.set_tick_compute(to_cycles(fault.compute_us * 1e-6));
-}
-
-void FaultInjector::start(const Estop&) {
-  ++estops_;
-}
-void FaultInjector::stop(const Estop&) {
-  --estops_;
-}
-
-void FaultInjector::start(const ClockStop&) {
-  if (clock_stops_++ == 0) targets_.soc.set_clock_running(false);
-}
-void FaultInjector::stop(const ClockStop&) {
-  if (--clock_stops_ == 0) targets_.soc.set_clock_running(true);
 }
 
 void FaultInjector::start(const StrayWrite& fault) {
@@ -96,44 +100,19 @@ void FaultInjector::stop(const DriveAlarm& fault) {
 }
 
 void FaultInjector::start(const AxisBlocked& fault) {
-  ++blocked_;
   targets_.plant.block(index_of(fault.axis));
 }
 void FaultInjector::stop(const AxisBlocked& fault) {
-  --blocked_;
   targets_.plant.unblock(index_of(fault.axis));
-}
-
-void FaultInjector::start(const BrakeSlip& fault) {
-  slips_.push_back(fault);
-  set_brake(fault.axis);
-}
-void FaultInjector::stop(const BrakeSlip& fault) {
-  slips_.erase(std::ranges::find(slips_, fault));
-  set_brake(fault.axis);
 }
 
 // Of several faults of a brake the worst one counts.
 void FaultInjector::set_brake(int axis) {
   double share = 1.0;
-  for (const BrakeSlip& slip : slips_) {
+  active_.for_each<BrakeSlip>([&](const BrakeSlip& slip) {
     if (slip.axis == axis) share = std::min(share, slip.share);
-  }
+  });
   targets_.plant.weaken_brake(index_of(axis), share, now_);
-}
-
-void FaultInjector::start(const InterruptLost&) {
-  ++interrupts_lost_;
-}
-void FaultInjector::stop(const InterruptLost&) {
-  --interrupts_lost_;
-}
-
-void FaultInjector::start(const UartOverrun&) {
-  ++uart_unheard_;
-}
-void FaultInjector::stop(const UartOverrun&) {
-  --uart_unheard_;
 }
 
 void FaultInjector::start(const CoreOneStuck&) {
@@ -143,13 +122,6 @@ void FaultInjector::start(const CoreOneStuck&) {
 void FaultInjector::start(const SlaveError& fault) {
   bus_errs_ = true;
   errors_.push_back(fault);
-}
-
-void FaultInjector::start(const SlowSlave& fault) {
-  slow_.push_back(to_cycles(fault.delay_us * 1e-6));
-}
-void FaultInjector::stop(const SlowSlave& fault) {
-  slow_.erase(std::ranges::find(slow_, to_cycles(fault.delay_us * 1e-6)));
 }
 
 void FaultInjector::start(const RegisterFlip& fault) {

@@ -1,11 +1,12 @@
 // Makes the faults of a scenario happen. Nothing else knows where each kind acts.
 #pragma once
 
-#include <algorithm>
+#include <concepts>
 #include <cstdint>
 #include <vector>
 
 #include "cosim/cpu/processor.hpp"
+#include "cosim/fault/active_faults.hpp"
 #include "cosim/fault/fault_spec.hpp"
 #include "cosim/fault/line_faults.hpp"
 #include "cosim/logic/pins.hpp"
@@ -20,6 +21,11 @@ struct FaultTargets {
   Processor& processor;
   Soc& soc;
 };
+
+// Kinds that act where somebody asks the injector.
+template <class Kind>
+concept AskedFor = std::same_as<Kind, Estop> || std::same_as<Kind, ClockStop> || std::same_as<Kind, InterruptLost> ||
+    std::same_as<Kind, UartOverrun> || std::same_as<Kind, SlowSlave>;
 
 class FaultInjector {
  public:
@@ -40,12 +46,11 @@ class FaultInjector {
   void apply_to(SocInputs& pins) const;
 
   // Whether no fault stops the clock of the logic.
-  [[nodiscard]] bool clock_runs() const { return clock_stops_ == 0; }
+  [[nodiscard]] bool clock_runs() const { return !active_.any<ClockStop>(); }
 
-  // Whether no fault holds a pin, a motor or a response, or stops a clock.
+  // Whether no fault goes on, and no block or encoder is as a fault has left it.
   [[nodiscard]] bool is_quiet() const {
-    return estops_ == 0 && clock_stops_ == 0 && !blocks_hang_ && lines_.is_quiet() && blocked_ == 0 &&
-           interrupts_lost_ == 0 && uart_unheard_ == 0 && slow_.empty() && errors_.empty();
+    return active_.empty() && !blocks_hang_ && lines_.is_quiet() && errors_.empty();
   }
 
   // The axes whose encoder has had a fault, one bit each: POSITION need not follow the motor any more.
@@ -68,13 +73,10 @@ class FaultInjector {
   [[nodiscard]] bool explains_bus_errors() const { return blocks_hang_ || bus_errs_ || flops_flipped_; }
 
  private:
-  // One start() for each kind, and one stop() for each kind with a duration.
+  // One start() for each kind, and one stop() for each kind with a duration. What a part asks for follows from the
+  // faults that are active.
   void start(const PulseLoss& fault);
   void start(const SlowCore& fault);
-  void start(const Estop& fault);
-  void stop(const Estop& fault);
-  void start(const ClockStop& fault);
-  void stop(const ClockStop& fault);
   void start(const StrayWrite& fault);
   void start(const BlockHang& fault);
   void start(const ExtraPulses& fault);
@@ -82,19 +84,17 @@ class FaultInjector {
   void stop(const DriveAlarm& fault);
   void start(const AxisBlocked& fault);
   void stop(const AxisBlocked& fault);
-  void start(const BrakeSlip& fault);
-  void stop(const BrakeSlip& fault);
+  void start(const BrakeSlip& fault) { set_brake(fault.axis); }
+  void stop(const BrakeSlip& fault) { set_brake(fault.axis); }
   void set_brake(int axis);
-  void start(const InterruptLost& fault);
-  void stop(const InterruptLost& fault);
-  void start(const UartOverrun& fault);
-  void stop(const UartOverrun& fault);
   void start(const CoreOneStuck& fault);
   void start(const SlaveError& fault);
-  void start(const SlowSlave& fault);
-  void stop(const SlowSlave& fault);
   void start(const RegisterFlip& fault);
   void start(const FlopFlip& fault);
+  template <AskedFor Kind>
+  void start(const Kind&) {}
+  template <AskedFor Kind>
+  void stop(const Kind&) {}
   template <LineFault Kind>
   void start(const Kind& fault) {
     lines_.begin(fault, now_);
@@ -104,20 +104,17 @@ class FaultInjector {
     lines_.end(fault);
   }
 
+  void follow_clock();
+
   FaultTargets targets_;
   LineFaults lines_;
-  Cycles now_{};         // of begin() or end()
-  int estops_ = 0;       // emergency stops that hold the pin low
-  int clock_stops_ = 0;  // faults that stop the clock
+  Cycles now_{};  // of begin() or end()
+  ActiveFaults active_;
   bool blocks_hang_ = false;
-  int blocked_ = 0;                 // faults that hold a motor
-  int interrupts_lost_ = 0;         // faults that hide the interrupt of axi_timer
-  int uart_unheard_ = 0;            // faults that hide the interrupt of axi_uart16550
-  std::vector<BrakeSlip> slips_;    // of all brakes
-  std::vector<Cycles> slow_;        // delays of responses
   std::vector<SlaveError> errors_;  // with the accesses that are left
   bool bus_errs_ = false;
   bool flops_flipped_ = false;
+  bool clock_ran_ = true;
 };
 
 }  // namespace armature::cosim
