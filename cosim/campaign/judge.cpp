@@ -21,10 +21,6 @@ constexpr std::int64_t kLostCounts = 3;   // of an arm that is as good as at res
 constexpr std::int64_t kLeastPulses = 1;  // that a pulse in progress may still end
 constexpr Cycles kOffIn{14 * armature::kTickCycles.value()};  // an emergency stop, or by the relay of drop_out_us
 
-std::int64_t ticks_between(Cycles from, Cycles to) {
-  return ((to - from).value() + armature::kTickCycles.value() - 1) / armature::kTickCycles.value();
-}
-
 }  // namespace
 
 void CampaignJudge::detect(Cycles at) {
@@ -226,11 +222,13 @@ std::string CampaignJudge::stop_reason() const {
   return std::string{word_of(first.cause)} + axis;
 }
 
+std::optional<Cycles> CampaignJudge::detected() const {
+  return detected_ && !begun_.empty() && *detected_ >= begun_.front().at ? detected_ : std::nullopt;
+}
+
 Verdict CampaignJudge::verdict(const std::optional<std::string>& failure) const {
   Verdict verdict;
-  if (detected_ && !begun_.empty() && *detected_ >= begun_.front().at) {
-    verdict.latency_ticks = ticks_between(begun_.front().at, *detected_);
-  }
+  if (const std::optional<Cycles> at = detected()) verdict.latency_ticks = ticks_between(begun_.front().at, *at);
   if (failure) {
     verdict.outcome = Outcome::kFailed;
     verdict.reason = *failure;

@@ -33,6 +33,9 @@ class CampaignJudge final : public RunListener {
   // Nothing more can happen: the arm has been at the end of its path, or without power, for some time.
   [[nodiscard]] bool may_end() const;
 
+  // The first response, if it came after the begin of a fault.
+  [[nodiscard]] std::optional<Cycles> detected() const;
+
   // After the run. `failure`: why it was broken off.
   [[nodiscard]] Verdict verdict(const std::optional<std::string>& failure) const;
 

@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "controller/base/timebase.hpp"
+#include "controller/base/units.hpp"
 #include "controller/base/words.hpp"
 
 namespace armature::cosim {
@@ -42,5 +44,10 @@ struct Verdict {
   std::string reason{};                         // of what is not masked and not finished
   std::optional<std::int64_t> latency_ticks{};  // from the begin of the first fault to the first response
 };
+
+// Rounded up.
+[[nodiscard]] constexpr std::int64_t ticks_between(Cycles from, Cycles to) {
+  return ((to - from).value() + armature::kTickCycles.value() - 1) / armature::kTickCycles.value();
+}
 
 }  // namespace armature::cosim

@@ -72,8 +72,8 @@ class Fabric {
   // Inverts a bit of a register before the next edge. The gated clocks go on as active_o says: a block that rests keeps
   // the bit until it gets an edge. Returns false, and does nothing, if there is no such bit.
   virtual bool flip(std::string_view /*flop*/, int /*bit*/) { return false; }
-  // Of the values of all registers. Call it only if there are flops().
-  [[nodiscard]] virtual std::uint64_t flop_digest() { return 0; }
+  // Of the values of all registers, and of all changes of output pins so far. Call it only if there are flops().
+  [[nodiscard]] virtual std::uint64_t digest() { return 0; }
 
   // Values after the last edge.
   [[nodiscard]] virtual const SocOutputs& outputs() const = 0;

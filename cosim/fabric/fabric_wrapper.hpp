@@ -21,7 +21,7 @@ class FabricWrapper : public Fabric {
   void stop_clock_of(ClockGroup group) override { inner_->stop_clock_of(group); }
   [[nodiscard]] std::vector<Flop> flops() override { return inner_->flops(); }
   bool flip(std::string_view flop, int bit) override { return inner_->flip(flop, bit); }
-  [[nodiscard]] std::uint64_t flop_digest() override { return inner_->flop_digest(); }
+  [[nodiscard]] std::uint64_t digest() override { return inner_->digest(); }
   [[nodiscard]] const SocOutputs& outputs() const override { return inner_->outputs(); }
   [[nodiscard]] AxiSlavePins slave() const override { return inner_->slave(); }
   [[nodiscard]] Cycles cycle() const override { return inner_->cycle(); }

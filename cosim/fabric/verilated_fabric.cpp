@@ -119,7 +119,7 @@ class VerilatedFabric final : public Fabric {
     if (just_flipped_) [[unlikely]]
       return run_after_flip();
     const bool changed = run_unflipped(limit);
-    if (changed) outputs_ = sample_pins(model_);
+    if (changed) sample_outputs();
     return changed;
   }
 
@@ -145,8 +145,8 @@ class VerilatedFabric final : public Fabric {
     return true;
   }
 
-  std::uint64_t flop_digest() override {
-    return known_flops().digest();
+  std::uint64_t digest() override {
+    return known_flops().digest() ^ pin_changes_;
   }
 
   const SocOutputs& outputs() const override {
@@ -192,9 +192,15 @@ class VerilatedFabric final : public Fabric {
   bool run_after_flip() {
     just_flipped_ = false;
     run_unflipped(1);
-    const SocOutputs before = outputs_;
+    if (sample_pins(model_) == outputs_) return false;
+    sample_outputs();
+    return true;
+  }
+
+  void sample_outputs() {
+    constexpr std::uint64_t kOddFactor = 0x9E37'79B9'7F4A'7C15;
     outputs_ = sample_pins(model_);
-    return outputs_ != before;
+    pin_changes_ = (pin_changes_ ^ output_word(model_)) * kOddFactor + static_cast<std::uint64_t>(cycle_);
   }
 
   Flops& known_flops() {
@@ -260,6 +266,7 @@ class VerilatedFabric final : public Fabric {
   bool just_flipped_ = false;
   std::optional<Flops> flops_;  // as soon as somebody asks
   SocOutputs outputs_;
+  std::uint64_t pin_changes_ = 0;  // digest of all of them
 };
 
 }  // namespace

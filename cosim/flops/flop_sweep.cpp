@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <deque>
 #include <exception>
-#include <memory>
 #include <utility>
 
 #include "controller/base/timebase.hpp"
@@ -55,43 +54,77 @@ class KeptStates final : public States {
   void on_tick(Cycles) override { states.push_back(state()); }
 };
 
-// Compares them with those of the run without a flip, after a flip.
-class ComparedStates final : public States {
- public:
-  ComparedStates(Run& run, const std::vector<std::uint64_t>& unflipped) : States{run}, unflipped_{unflipped} {}
+struct StateAt {
+  Cycles at{};
+  std::uint64_t state = 0;
+  friend bool operator==(const StateAt&, const StateAt&) = default;
+};
 
-  void flipped(Cycles at) { flipped_at_ = at; }
-  [[nodiscard]] bool equal() const { return equal_; }
+// What is known of a flip after its run.
+struct FlipEnd {
+  Verdict verdict{};
+  std::optional<Cycles> detected{};
+  std::optional<StateAt> first{};  // at the first trigger after the flip
+};
+
+// Compares the states after a flip with those of the run without it, and with that of the same flip at a later instant.
+class FlippedStates final : public States {
+ public:
+  FlippedStates(Run& run, const std::vector<std::uint64_t>& unflipped) : States{run}, unflipped_{unflipped} {}
+
+  void flipped(Cycles at, const FlipEnd* later) {
+    flipped_at_ = at;
+    later_ = later;
+  }
+  [[nodiscard]] const std::optional<StateAt>& first() const { return first_; }
+  [[nodiscard]] bool as_unflipped() const { return as_unflipped_; }
+  [[nodiscard]] bool as_later() const { return as_later_; }
 
  private:
   void on_tick(Cycles at) override {
-    if (!flipped_at_ || at <= *flipped_at_ || equal_ || count() > unflipped_.size()) return;
-    equal_ = state() == unflipped_[count() - 1];
+    if (!flipped_at_ || at <= *flipped_at_ || as_unflipped_ || as_later_) return;
+    const StateAt now{at, state()};
+    if (!first_) first_ = now;
+    as_unflipped_ = count() <= unflipped_.size() && now.state == unflipped_[count() - 1];
+    as_later_ = later_ != nullptr && later_->first == now;
   }
 
   const std::vector<std::uint64_t>& unflipped_;
   std::optional<Cycles> flipped_at_;
-  bool equal_ = false;
+  const FlipEnd* later_ = nullptr;
+  std::optional<StateAt> first_;
+  bool as_unflipped_ = false, as_later_ = false;
 };
 
-// A verdict on its way from a copy. The reason follows as a text.
-struct VerdictMessage {
+// The end of a run on its way from a copy. The reason of the verdict follows as a text.
+struct EndMessage {
   Outcome outcome = Outcome::kFailed;
-  std::int64_t latency_ticks = -1;  // negative: none
+  std::int64_t detected = -1;  // negative: not
+  std::int64_t first_at = -1;  // negative: not reached
+  std::uint64_t first_state = 0;
 };
 
-bool send(MessageChannel& channel, const Verdict& verdict) {
-  const VerdictMessage message{.outcome = verdict.outcome, .latency_ticks = verdict.latency_ticks.value_or(-1)};
-  return channel.send(message) && send_text(channel, verdict.reason);
+bool send(MessageChannel& channel, const FlipEnd& end) {
+  EndMessage message{.outcome = end.verdict.outcome};
+  if (end.detected) message.detected = end.detected->value();
+  if (end.first) {
+    message.first_at = end.first->at.value();
+    message.first_state = end.first->state;
+  }
+  return channel.send(message) && send_text(channel, end.verdict.reason);
 }
 
-Verdict receive(MessageChannel& channel) {
-  const auto message = channel.receive<VerdictMessage>();
+FlipEnd receive(MessageChannel& channel, Cycles flipped_at) {
+  const auto message = channel.receive<EndMessage>();
   auto reason = message ? receive_text(channel) : std::nullopt;
-  if (!reason) return {.outcome = Outcome::kFailed, .reason = "the program has crashed"};
-  Verdict verdict{.outcome = message->outcome, .reason = std::move(*reason)};
-  if (message->latency_ticks >= 0) verdict.latency_ticks = message->latency_ticks;
-  return verdict;
+  if (!reason) return {.verdict = {.outcome = Outcome::kFailed, .reason = "the program has crashed"}};
+  FlipEnd end{.verdict = {.outcome = message->outcome, .reason = std::move(*reason)}};
+  if (message->detected >= 0) {
+    end.detected = Cycles{message->detected};
+    end.verdict.latency_ticks = ticks_between(flipped_at, *end.detected);
+  }
+  if (message->first_at >= 0) end.first = StateAt{Cycles{message->first_at}, message->first_state};
+  return end;
 }
 
 // A run with its judge, up to an instant.
@@ -101,10 +134,10 @@ class RunToInstant {
       : limits_{judge_limits(scenario.robot)},
         judge_{limits_, unflipped.path, Cycles{}},
         run_{scenario},
-        states_{run_, unflipped.states},
-        may_end_early_{!scenario.serial} {
+        states_{run_, unflipped.states} {
     run_.add(judge_);
     run_.add(states_);
+    (void)run_.flops();  // the run looks for them once, and each copy has the list
   }
 
   [[nodiscard]] bool advance(Cycles until, const std::function<bool()>& stop) {
@@ -114,27 +147,34 @@ class RunToInstant {
     return true;
   }
 
-  [[nodiscard]] Verdict judge_flip(const FlopFlipAt& flip) {
+  // `later`: of the same flip at the next instant; null: there is none.
+  [[nodiscard]] FlipEnd judge_flip(const FlopBit& flip, const FlipEnd* later) {
     constexpr Cycles kSoon{2 * armature::kTickCycles.value()};
     const FaultKind kind = FlopFlip{.flop = flip.flop, .bit = flip.bit};
     run_.add_action(FaultSpec{.at_s = to_seconds(run_.now()), .kind = kind});
-    states_.flipped(run_.now());
-    const auto is_over = [&] { return may_end_early_ && states_.equal(); };
+    states_.flipped(run_.now(), later);
     // Most flips are over soon.
-    for (Cycles slice = kSoon; run_.advance(run_.now() + slice) && !judge_.may_end();
+    for (Cycles slice = kSoon; !end_is_known() && run_.advance(run_.now() + slice) && !judge_.may_end();
          slice = std::min(slice + slice, kSweepSlice)) {
-      if (is_over()) return {.outcome = Outcome::kMasked};
     }
-    if (is_over()) return {.outcome = Outcome::kMasked};
-    return judge_.verdict(run_.finish().failure);
+    FlipEnd end{.first = states_.first()};
+    if (end_is_known()) {
+      end.verdict = states_.as_later() ? later->verdict : Verdict{.outcome = Outcome::kMasked};
+      if (states_.as_later()) end.detected = later->detected;
+    } else {
+      end.verdict = judge_.verdict(run_.finish().failure);
+      end.detected = judge_.detected();
+    }
+    return end;
   }
 
  private:
+  [[nodiscard]] bool end_is_known() const { return states_.as_unflipped() || states_.as_later(); }
+
   JudgeLimits limits_;
   CampaignJudge judge_;
   Run run_;
-  ComparedStates states_;
-  bool may_end_early_;  // the far end of a serial line may have seen what the states do not show any more
+  FlippedStates states_;
 };
 
 struct Copy {
@@ -142,39 +182,39 @@ struct Copy {
   MessageChannel channel;
 };
 
-Copy copy_with_flip(RunToInstant& run, const FlopFlipAt& flip) {
+Copy copy_with_flip(RunToInstant& run, const FlopBit& flip, const FlipEnd* later) {
   auto [mine, other] = MessageChannel::pair();
   const pid_t process = copy_this_process(other.descriptor());
   if (process == 0) {
-    Verdict verdict;
+    FlipEnd end;
     try {
-      verdict = run.judge_flip(flip);
+      end = run.judge_flip(flip, later);
     } catch (const std::exception& error) {
-      verdict = {.outcome = Outcome::kFailed, .reason = error.what()};
+      end.verdict = {.outcome = Outcome::kFailed, .reason = error.what()};
     }
-    ::_exit(send(other, verdict) ? 0 : 1);
+    ::_exit(send(other, end) ? 0 : 1);
   }
   return {process, std::move(mine)};
 }
 
-// The flips of an instant, some of them at the same time.
-bool flip_all(RunToInstant& run, const FlopSweep& sweep, std::size_t begin, std::size_t end,
-              std::vector<FlopResult>& results) {
+// The flips of an instant, some of them at the same time. `later`: those of the next one, of each bit or of none.
+std::vector<FlipEnd> flip_all(RunToInstant& run, const FlopSweep& sweep, Cycles at, const std::vector<FlipEnd>& later,
+                              const std::function<void()>& on_end) {
+  std::vector<FlipEnd> ends;
   std::deque<Copy> copies;
-  const auto take_result = [&] {
+  const auto take_end = [&] {
     Copy copy = std::move(copies.front());
     copies.pop_front();
-    const Verdict verdict = receive(copy.channel);
+    ends.push_back(receive(copy.channel, at));
     wait_for_end(copy.process);
-    results.push_back({sweep.flips[results.size()], verdict});
-    if (sweep.progress) sweep.progress(results.size());
+    on_end();
   };
-  for (std::size_t i = begin; i < end && !sweep.stop(); ++i) {
-    if (copies.size() == static_cast<std::size_t>(sweep.jobs)) take_result();
-    copies.push_back(copy_with_flip(run, sweep.flips[i]));
+  for (std::size_t i = 0; i < sweep.bits.size() && !sweep.stop(); ++i) {
+    if (copies.size() == static_cast<std::size_t>(sweep.jobs)) take_end();
+    copies.push_back(copy_with_flip(run, sweep.bits[i], later.empty() ? nullptr : &later[i]));
   }
-  while (!copies.empty()) take_result();
-  return results.size() == end;
+  while (!copies.empty()) take_end();
+  return ends;
 }
 
 }  // namespace
@@ -203,15 +243,24 @@ std::optional<UnflippedRun> run_unflipped(const Scenario& scenario, const std::f
 }
 
 std::vector<FlopResult> sweep_flops(const Scenario& scenario, const UnflippedRun& unflipped, const FlopSweep& sweep) {
+  std::vector<std::vector<FlipEnd>> ends(sweep.instants.size());
+  std::size_t done = 0;
+  const auto on_end = [&] {
+    ++done;
+    if (sweep.progress) sweep.progress(done);
+  };
+  const std::vector<FlipEnd> none;
+  for (std::size_t i = ends.size(); i-- > 0;) {
+    RunToInstant run{scenario, unflipped};
+    if (!run.advance(sweep.instants[i], sweep.stop)) break;
+    ends[i] = flip_all(run, sweep, sweep.instants[i], i + 1 < ends.size() ? ends[i + 1] : none, on_end);
+    if (ends[i].size() < sweep.bits.size()) break;
+  }
   std::vector<FlopResult> results;
-  const auto run = std::make_unique<RunToInstant>(scenario, unflipped);
-  for (std::size_t begin = 0; begin < sweep.flips.size();) {
-    const Cycles at = sweep.flips[begin].at;
-    std::size_t end = begin;
-    while (end < sweep.flips.size() && sweep.flips[end].at == at) ++end;
-    if (!run->advance(at, sweep.stop)) break;
-    if (!flip_all(*run, sweep, begin, end, results)) break;
-    begin = end;
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    for (std::size_t bit = 0; bit < ends[i].size(); ++bit) {
+      results.push_back({sweep.bits[bit], sweep.instants[i], std::move(ends[i][bit].verdict)});
+    }
   }
   return results;
 }

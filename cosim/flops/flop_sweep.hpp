@@ -1,9 +1,9 @@
 // Flips each flop of the logic, one in a run, and judges what the arm does.
 //
 // All runs are those of one scenario on the RTL. For an instant the scenario runs up to it once; then a copy of the
-// process makes each flip (cosim/snapshot). A copy ends as soon as the logic has the state of the run without a flip,
-// and cores and arm have seen no difference: from there on both go on equally. If the scenario has a serial line, each
-// copy runs to its end.
+// process makes each flip (cosim/snapshot). A copy ends early where its end is known, at a trigger at which the logic
+// has the same state, and cores and arm have seen the same, as in another run. From there on both go on equally. The
+// other run is the one without a flip, or that of the same bit at the next instant: the last instant comes first.
 #pragma once
 
 #include <cstdint>
@@ -20,21 +20,21 @@
 
 namespace armature::cosim {
 
-struct FlopFlipAt {
+struct FlopBit {
   std::string flop{};
   int bit = 0;
-  Cycles at{};
 };
 
 struct FlopResult {
-  FlopFlipAt flip{};
+  FlopBit flip{};
+  Cycles at{};
   Verdict verdict{};
 };
 
 // The run without a flip.
 struct UnflippedRun {
   TruePath path;
-  std::vector<std::uint64_t> states;  // at the trigger of each tick: logic, and all rows so far
+  std::vector<std::uint64_t> states;  // at the trigger of each tick: logic, and all that its surroundings have seen
   Verdict verdict;
 };
 
@@ -45,14 +45,16 @@ struct UnflippedRun {
 [[nodiscard]] std::optional<UnflippedRun> run_unflipped(const Scenario& scenario, const std::function<bool()>& stop);
 
 struct FlopSweep {
-  std::vector<FlopFlipAt> flips;                // in the order of their times
+  std::vector<FlopBit> bits;
+  std::vector<Cycles> instants;                 // ascending; at each of them each bit is flipped
   int jobs = 1;                                 // processes at the same time
   std::function<bool()> stop;                   // is asked often
   std::function<void(std::size_t)> progress{};  // how many flips are done; empty: nobody asks
 };
 
-// The results in the order of the flips, whatever the number of jobs; fewer if `stop` has ended it. This process must
-// not have other threads. Throws std::runtime_error if the process cannot be copied.
+// The results in the order of the instants, and of the bits at each, whatever the number of jobs. If `stop` has ended
+// it there are fewer: those of the first bits of an instant, and of all later ones. This process must not have other
+// threads. Throws std::runtime_error if the process cannot be copied.
 [[nodiscard]] std::vector<FlopResult> sweep_flops(const Scenario& scenario, const UnflippedRun& unflipped,
                                                   const FlopSweep& sweep);
 

@@ -27,7 +27,7 @@ std::string row_text(std::string_view name, const KindRow& row) {
 }
 
 std::string at_text(const FlopResult& result) {
-  return fixed_text(to_seconds(result.flip.at), 8);
+  return fixed_text(to_seconds(result.at), 8);
 }
 
 }  // namespace
@@ -60,7 +60,7 @@ Json to_json(const FlopTable& table) {
   for (const FlopResult& result : table.silent) {
     json["silent"].push_back({{"flop", result.flip.flop},
                               {"bit", result.flip.bit},
-                              {"at_s", to_seconds(result.flip.at)},
+                              {"at_s", to_seconds(result.at)},
                               {"outcome", word_of(result.verdict.outcome)},
                               {"reason", result.verdict.reason}});
   }

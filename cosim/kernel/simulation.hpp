@@ -157,6 +157,7 @@ class Simulation final : private RunAhead {
     return !over_;
   }
   void fail_conservation();
+  void check_pulses();
   void grant_bus();
   void give(const CommandSpec& move);
   void feed_program();

@@ -20,7 +20,7 @@ bool Simulation::on_pins_changed() {
   plant_.on_outputs(here, out);
   conservation_.on_outputs(here, out);
   if (serial_) serial_->on_level(here, out.uart_txd);
-  if (const auto& violation = plant_.violation()) fail(describe(*violation));
+  check_pulses();
   if (out.gpio != tool_outputs_) report_outputs(out.gpio);
   report_servo_enables();
   if (triggers) on_trigger();

@@ -26,7 +26,7 @@ class PinSoc final : public Soc {
 
   [[nodiscard]] std::vector<Flop> flops() override { return fabric_->flops(); }
   bool flip(std::string_view flop, int bit) override { return fabric_->flip(flop, bit); }
-  [[nodiscard]] std::uint64_t digest() override { return fabric_->flop_digest() ^ responses_; }
+  [[nodiscard]] std::uint64_t digest() override { return fabric_->digest() ^ responses_; }
 
   [[nodiscard]] bool idle() const override { return master_.idle() && !response_; }
   std::optional<Cycles> start(const BusRequest& request) override;  // always none: the end is not known in advance

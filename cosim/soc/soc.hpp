@@ -63,8 +63,8 @@ class Soc {
   // ---- flops (fault script), as of Fabric
   [[nodiscard]] virtual std::vector<Flop> flops() { return {}; }  // none: the engine has no flops
   virtual bool flip(std::string_view /*flop*/, int /*bit*/) { return false; }
-  // Of the values of all flops, and of all responses so far. Two runs of an engine with equal digests, equal pins and
-  // an equal past of their pins go on equally. Only for engines with flops.
+  // Of the values of all flops, and of all responses and all changes of output pins so far. Two runs of an engine with
+  // equal digests and equal input pins go on equally. Only for engines with flops.
   [[nodiscard]] virtual std::uint64_t digest() { return 0; }
 
   // ---- registers: one access at a time, started at now()

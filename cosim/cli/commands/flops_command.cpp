@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,6 +25,7 @@
 #include "cosim/text/input_error.hpp"
 #include "cosim/text/json.hpp"
 #include "cosim/text/printable.hpp"
+#include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -35,7 +37,9 @@ constexpr const char* kFlopsDetails = R"(Examples:
 
 Without a scenario it lists the flops of the logic and their bits, for the keys of [[fault]] with kind = "flop_flip".
 With one it runs the scenario on the RTL once for each flip: of each bit, or of every K-th, at each instant. The instants
-are spread over the time in which the arm moves, each at a random clock edge of its tick. The outcomes are those of
+are spread over the time in which the arm moves, or over its begin (--until), each at a random clock edge of its tick. The
+position of an axis may become wrong by a flip; that is detected at the next index pulse of its encoder, so let the arm
+move on for a turn of its motors after the last instant. The outcomes are those of
 'armature campaign': 'masked' is a flip after which logic, pins and responses are soon as without it, 'finished' a run that
 ends at its target, 'stopped' one whose servo power was taken away. All others are silent errors. The last columns are the ticks
 of 50 us from the flip to the first response. For each silent error it prints the command that repeats the run.
@@ -46,6 +50,7 @@ Exit code: 0 no silent error, 1 a silent error, 2 bad input, 3 internal error, 1
 struct FlopsOptions {
   std::optional<std::string> scenario;
   int instants = 1;
+  double until_s = std::numeric_limits<double>::infinity();
   std::int64_t every = 1;
   std::uint64_t seed = 1;
   int jobs = 1;
@@ -77,7 +82,7 @@ std::vector<Cycles> instants_of(const UnflippedRun& run, const FlopsOptions& giv
   const auto moves = [&](std::size_t i) { return points[i].motor_counts != points[i + 1].motor_counts; };
   std::size_t first = 0, last = points.size() - 1;
   while (first + 1 < last && !moves(first)) ++first;
-  while (last > first + 1 && !moves(last - 1)) --last;
+  while (last > first + 1 && (!moves(last - 1) || to_seconds(Cycles{points[last].cycle}) > given.until_s)) --last;
   Draw draw{given.seed, 0, 0};
   std::vector<Cycles> instants;
   const auto count = static_cast<std::size_t>(given.instants);
@@ -88,20 +93,17 @@ std::vector<Cycles> instants_of(const UnflippedRun& run, const FlopsOptions& giv
   return instants;
 }
 
-std::vector<FlopFlipAt> flips_of(const std::vector<Flop>& flops, const std::vector<Cycles>& instants,
-                                 const FlopsOptions& given, Shard shard) {
-  std::vector<FlopFlipAt> flips;
-  for (const Cycles at : instants) {
-    std::int64_t bits = 0, number = 0;
-    for (const Flop& flop : flops) {
-      if (!given.block.empty() && block_of(flop.name) != given.block) continue;
-      for (int bit = 0; bit < flop.bits; ++bit) {
-        if (bits++ % given.every != 0) continue;
-        if (number++ % shard.total == shard.index) flips.push_back({flop.name, bit, at});
-      }
+std::vector<FlopBit> bits_of(const std::vector<Flop>& flops, const FlopsOptions& given, Shard shard) {
+  std::vector<FlopBit> chosen;
+  std::int64_t bits = 0, number = 0;
+  for (const Flop& flop : flops) {
+    if (!given.block.empty() && block_of(flop.name) != given.block) continue;
+    for (int bit = 0; bit < flop.bits; ++bit) {
+      if (bits++ % given.every != 0) continue;
+      if (number++ % shard.total == shard.index) chosen.push_back({flop.name, bit});
     }
   }
-  return flips;
+  return chosen;
 }
 
 int print_results(const FlopsOptions& given, const std::vector<FlopResult>& results) {
@@ -131,14 +133,15 @@ int run_flops(const FlopsOptions& given, const SearchPath& path) {
     throw InputError{scenario.file, fmt::format("expected a run that ends well without a flip, found {}: {}",
                                                 outcome_text(unflipped->verdict.outcome), unflipped->verdict.reason)};
   }
-  FlopSweep sweep{.flips = flips_of(flops_of(scenario), instants_of(*unflipped, given), given, shard),
+  FlopSweep sweep{.bits = bits_of(flops_of(scenario), given, shard),
+                  .instants = instants_of(*unflipped, given),
                   .jobs = given.jobs,
                   .stop = interrupted};
-  if (sweep.flips.empty()) throw InputError{"--block", "no flop, see 'armature flops'"};
+  if (sweep.bits.empty()) throw InputError{"--block", "no flop, see 'armature flops'"};
   const bool shows_progress = !given.output.quiet && stderr_is_terminal();
   if (shows_progress) {
     sweep.progress = [&](std::size_t done) {
-      std::cerr << fmt::format("\r{} of {} flips", done, sweep.flips.size()) << std::flush;
+      std::cerr << fmt::format("\r{} of {} flips", done, sweep.bits.size() * sweep.instants.size()) << std::flush;
     };
   }
   const std::vector<FlopResult> results = sweep_flops(scenario, *unflipped, sweep);
@@ -153,6 +156,9 @@ CommandAction declare_flops(CLI::App& app) {
   app.add_option("--instants", options->instants, "Instants at which each bit is flipped, each in a run of its own")
       ->check(CLI::Range(1, 1'000))
       ->capture_default_str()
+      ->needs(scenario);
+  app.add_option("--until", options->until_s, "No flip after this time of the scenario [s]")
+      ->check(CLI::PositiveNumber)
       ->needs(scenario);
   app.add_option("--every", options->every, "Flip every K-th bit only, in the order of the list")
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000}))

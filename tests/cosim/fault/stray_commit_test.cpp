@@ -26,15 +26,7 @@ PerAxis<Counts> counts_at_end(const Scenario& scenario) {
 }
 
 Scenario scenario_with_move(Engine engine) {
-  Scenario scenario = test::scenario_with(R"(
-[[move]]
-at_s = 0.002
-type = "joint"
-target_deg = [1, 2, 1, 2, 1, 2]
-)");
-  scenario.duration_s = 0.2;
-  scenario.engine = engine;
-  return scenario;
+  return test::moving_scenario(0.2, engine, "1, 2, 1, 2, 1, 2");
 }
 
 Scenario with_stray_commit(std::int64_t cycle, Engine engine) {

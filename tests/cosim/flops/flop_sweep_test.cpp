@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cosim/campaign/judge.hpp"
@@ -17,7 +18,7 @@
 namespace armature::cosim {
 namespace {
 
-constexpr Cycles kEarly{1'000'123}, kLate{2'000'777};
+constexpr Cycles kEarly{800'555}, kMiddle{1'000'123}, kLate{2'000'777};
 constexpr std::int64_t kEvery = 997;  // bits
 
 bool never() {
@@ -25,63 +26,96 @@ bool never() {
 }
 
 Scenario short_move() {
+  Scenario scenario = test::moving_scenario(0.1, Engine::kRtl, "1, 1, 1, 1, 1, 1");
+  scenario.drop_out_us = 500;
+  return scenario;
+}
+
+Scenario short_move_by_pendant() {
   Scenario scenario = test::scenario_with(R"(
 drop_out_us = 500
-[[move]]
-at_s = 0.002
-type = "joint"
-target_deg = [1, 1, 1, 1, 1, 1]
+[pendant]
+[[pendant.step]]
+do = "send"
+command = "servo"
+parameter = 1
+[[pendant.step]]
+do = "move"
+joints_deg = [1, 1, 1, 1, 1, 1]
+[[pendant.step]]
+do = "wait"
+state = "ready"
+within_ms = 150
 )");
-  scenario.duration_s = 0.1;
+  scenario.duration_s = 0.2;
   scenario.engine = Engine::kRtl;
   return scenario;
 }
 
-std::vector<FlopFlipAt> some_flips(const Scenario& scenario) {
-  std::vector<FlopFlipAt> flips;
-  for (const Cycles at : {kEarly, kLate}) {
-    std::int64_t bits = 0;
-    for (const Flop& flop : flops_of(scenario)) {
-      for (int bit = 0; bit < flop.bits; ++bit) {
-        if (bits++ % kEvery == 0) flips.push_back({flop.name, bit, at});
-      }
+// Of each block, or of one.
+std::vector<FlopBit> some_bits(const Scenario& scenario, std::int64_t every, const std::string& block = "") {
+  std::vector<FlopBit> chosen;
+  std::int64_t bits = 0;
+  for (const Flop& flop : flops_of(scenario)) {
+    if (!block.empty() && block_of(flop.name) != block) continue;
+    for (int bit = 0; bit < flop.bits; ++bit) {
+      if (bits++ % every == 0) chosen.push_back({flop.name, bit});
     }
-    flips.push_back({"servo_on_o", 2, at});
-    flips.push_back({"g_rtl.u_encoder.u_core.u_position.position", 40, at});
   }
-  return flips;
+  return chosen;
 }
 
 std::vector<FlopResult> swept(const Scenario& scenario, const UnflippedRun& unflipped, int jobs) {
-  return sweep_flops(scenario, unflipped, {.flips = some_flips(scenario), .jobs = jobs, .stop = never});
+  std::vector<FlopBit> bits = some_bits(scenario, kEvery);
+  bits.push_back({"servo_on_o", 2});
+  bits.push_back({"g_rtl.u_encoder.u_core.u_position.position", 40});
+  return sweep_flops(scenario, unflipped,
+                     {.bits = std::move(bits), .instants = {kEarly, kMiddle, kLate}, .jobs = jobs, .stop = never});
 }
 
 // The whole run, from its begin to its end, with the fault in the scenario.
-Verdict whole_run(Scenario scenario, const UnflippedRun& unflipped, const FlopFlipAt& flip) {
-  scenario.faults = {{.at_s = to_seconds(flip.at), .kind = FlopFlip{.flop = flip.flop, .bit = flip.bit}}};
+Verdict whole_run(Scenario scenario, const UnflippedRun& unflipped, const FlopBit& flip, Cycles at) {
+  scenario.faults = {{.at_s = to_seconds(at), .kind = FlopFlip{.flop = flip.flop, .bit = flip.bit}}};
   const JudgeLimits limits = judge_limits(scenario.robot);
-  CampaignJudge judge{limits, unflipped.path, flip.at};
+  CampaignJudge judge{limits, unflipped.path, at};
   Run run{scenario};
   run.add(judge);
   test::run_out(run);
   return judge.verdict(run.finish().failure);
 }
 
-TEST(FlopSweep, JudgesEachFlipAsAWholeRunDoes) {
-  const Scenario scenario = short_move();
-  const UnflippedRun unflipped = run_unflipped(scenario, never).value();
-  ASSERT_EQ(unflipped.verdict.outcome, Outcome::kFinished) << unflipped.verdict.reason;
+std::map<Outcome, int> compare_with_whole_runs(const Scenario& scenario, const UnflippedRun& unflipped,
+                                               const std::vector<FlopResult>& results) {
   std::map<Outcome, int> seen;
-  for (const FlopResult& result : swept(scenario, unflipped, 1)) {
-    const Verdict whole = whole_run(scenario, unflipped, result.flip);
+  for (const FlopResult& result : results) {
+    const Verdict whole = whole_run(scenario, unflipped, result.flip, result.at);
     EXPECT_EQ(result.verdict.outcome, whole.outcome)
-        << result.flip.flop << ", bit " << result.flip.bit << " at cycle " << result.flip.at.value();
+        << result.flip.flop << ", bit " << result.flip.bit << " at cycle " << result.at.value();
     EXPECT_EQ(result.verdict.reason, whole.reason) << result.flip.flop;
     EXPECT_EQ(result.verdict.latency_ticks, whole.latency_ticks) << result.flip.flop;
     ++seen[result.verdict.outcome];
   }
-  EXPECT_GT(seen[Outcome::kMasked], 10);
-  EXPECT_GT(seen[Outcome::kStopped], 1);
+  return seen;
+}
+
+TEST(FlopSweep, JudgesEachFlipAsAWholeRunDoes) {
+  const Scenario scenario = short_move();
+  const UnflippedRun unflipped = run_unflipped(scenario, never).value();
+  ASSERT_EQ(unflipped.verdict.outcome, Outcome::kFinished) << unflipped.verdict.reason;
+  const auto seen = compare_with_whole_runs(scenario, unflipped, swept(scenario, unflipped, 1));
+  EXPECT_GT(seen.at(Outcome::kMasked), 10);
+  EXPECT_GT(seen.at(Outcome::kStopped), 1);
+}
+
+TEST(FlopSweep, JudgesAFlipBesideASerialLineAsAWholeRunDoes) {
+  const Scenario scenario = short_move_by_pendant();
+  const UnflippedRun unflipped = run_unflipped(scenario, never).value();
+  ASSERT_EQ(unflipped.verdict.outcome, Outcome::kFinished) << unflipped.verdict.reason;
+  const std::vector<FlopBit> bits = some_bits(scenario, 101, "u_axi_uart16550");
+  ASSERT_GT(bits.size(), 4U);
+  const auto results =
+      sweep_flops(scenario, unflipped, {.bits = bits, .instants = {kEarly, kMiddle}, .jobs = 1, .stop = never});
+  compare_with_whole_runs(scenario, unflipped, results);
 }
 
 TEST(FlopSweep, ResultsDoNotDependOnTheNumberOfJobs) {
@@ -100,9 +134,9 @@ TEST(FlopTable, CountsByBlock) {
   EXPECT_EQ(block_of("u_xbar.write_wait_q"), "u_xbar");
   EXPECT_EQ(block_of("servo_on_o"), "pins");
   FlopTable table;
-  table.add({{"u_xbar.a_q", 0, kEarly}, {.outcome = Outcome::kMasked}});
-  table.add({{"u_xbar.a_q", 1, kEarly}, {.outcome = Outcome::kStopped, .reason = "r", .latency_ticks = 7}});
-  table.add({{"servo_on_o", 1, kEarly}, {.outcome = Outcome::kHang, .reason = "stands"}});
+  table.add({{"u_xbar.a_q", 0}, kMiddle, {.outcome = Outcome::kMasked}});
+  table.add({{"u_xbar.a_q", 1}, kMiddle, {.outcome = Outcome::kStopped, .reason = "r", .latency_ticks = 7}});
+  table.add({{"servo_on_o", 1}, kMiddle, {.outcome = Outcome::kHang, .reason = "stands"}});
   EXPECT_EQ(flop_table_text(table),
             "                                                                   ticks to the first response\n"
             "block               flips   masked  finished  stopped  silent   least  median    99 %    most\n"

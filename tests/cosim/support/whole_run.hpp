@@ -2,6 +2,7 @@
 #pragma once
 
 #include <initializer_list>
+#include <string>
 
 #include "cosim/run/run.hpp"
 #include "tests/cosim/support/scenario_files.hpp"
@@ -22,13 +23,9 @@ inline RunSummary summary_of(const Scenario& scenario, std::initializer_list<Run
 }
 
 // All joints move from 2 ms on.
-inline Scenario moving_scenario(double duration_s, Engine engine) {
-  Scenario scenario = scenario_with(R"(
-[[move]]
-at_s = 0.002
-type = "joint"
-target_deg = [40, 40, 40, 40, 40, 40]
-)");
+inline Scenario moving_scenario(double duration_s, Engine engine,
+                                const std::string& target_deg = "40, 40, 40, 40, 40, 40") {
+  Scenario scenario = scenario_with("[[move]]\nat_s = 0.002\ntype = \"joint\"\ntarget_deg = [" + target_deg + "]\n");
   scenario.duration_s = duration_s;
   scenario.engine = engine;
   return scenario;
