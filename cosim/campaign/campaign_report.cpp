@@ -26,7 +26,7 @@ std::vector<ReportRow> rows_of(const CampaignTable& table) {
     const auto found = table.kinds.find(std::string{name});
     if (found == table.kinds.end()) continue;
     const KindRow& kind = found->second;
-    rows.push_back({std::string{name}, kind.alone, kind.with_others, latency_of(kind)});
+    rows.push_back({std::string{name}, kind.alone, kind.with_others, latency_of(kind.latencies)});
   }
   return rows;
 }

@@ -1,42 +1,23 @@
-// The results of a campaign as counts, which add up: those of several shards give the table of the whole.
+// The results of a campaign as counts by kind of fault.
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
 
-#include "controller/base/words.hpp"
 #include "cosim/campaign/campaign.hpp"
 #include "cosim/campaign/outcome.hpp"
+#include "cosim/campaign/outcome_counts.hpp"
 #include "cosim/text/json.hpp"
 
 namespace armature::cosim {
 
-inline constexpr std::size_t kOutcomeCount = kWordsOf<Outcome>.size();
-using OutcomeCounts = std::array<std::int64_t, kOutcomeCount>;
-
-[[nodiscard]] std::int64_t sum_of(const OutcomeCounts& counts);
-[[nodiscard]] std::int64_t silent_in(const OutcomeCounts& counts);
-void add_counts(OutcomeCounts& to, const OutcomeCounts& from);
-// By the words of the outcomes.
-[[nodiscard]] Json counts_json(const OutcomeCounts& counts);
-
 // Of the runs in which this kind is the only fault, and of those in which it is one of several.
 struct KindRow {
   OutcomeCounts alone{}, with_others{};
-  std::map<std::int64_t, std::int64_t> latencies{};  // of `alone` [ticks]: how many runs have each
+  LatencyCounts latencies{};  // of `alone`
 };
-
-// The latencies of a row.
-struct Latency {
-  std::int64_t runs = 0, least = 0, median = 0, most_of_all = 0 /* 99 % */, most = 0;
-};
-[[nodiscard]] Latency latency_of(const KindRow& row);
-// Pairs of ticks and runs.
-[[nodiscard]] Json latencies_json(const KindRow& row);
 
 struct SilentRun {
   std::int64_t run = 0;

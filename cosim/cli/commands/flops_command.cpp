@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <iostream>
 #include <limits>
 #include <memory>
@@ -15,6 +16,7 @@
 #include "cosim/campaign/draw.hpp"
 #include "cosim/cli/command/command.hpp"
 #include "cosim/cli/command/shard.hpp"
+#include "cosim/cli/options/output_files.hpp"
 #include "cosim/cli/options/output_options.hpp"
 #include "cosim/cli/options/value_kinds.hpp"
 #include "cosim/cli/run/interrupt.hpp"
@@ -25,6 +27,7 @@
 #include "cosim/text/input_error.hpp"
 #include "cosim/text/json.hpp"
 #include "cosim/text/printable.hpp"
+#include "cosim/text/text_file.hpp"
 #include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
@@ -34,6 +37,9 @@ constexpr const char* kFlopsDetails = R"(Examples:
   armature flops
   armature flops fig9_joint_move --every 4000
   armature flops fig9_joint_move --every 500 --block u_axi_timer --jobs 2 --json
+  armature flops fig9_joint_move --every 4000 --shard 0/2 --result first.json
+  armature flops fig9_joint_move --every 4000 --shard 1/2 --result second.json
+  armature flops --merge first.json second.json
 
 Without a scenario it lists the flops of the logic and their bits, for the keys of [[fault]] with kind = "flop_flip".
 With one it runs the scenario on the RTL once for each flip: of each bit, or of every K-th, at each instant. The instants
@@ -45,7 +51,7 @@ ends at its target, 'stopped' one whose servo power was taken away. All others a
 of 50 us from the flip to the first response. For each silent error it prints the command that repeats the run.
 Registers that only hold a value for the next edge, and memories (arrays called 'memory'), are not flipped.
 A shard has every N-th flip from I on; TEST_TOTAL_SHARDS and TEST_SHARD_INDEX mean the same as --shard.
-Exit code: 0 no silent error, 1 a silent error, 2 bad input, 3 internal error, 130 interrupted.)";
+Exit code: 0 no silent error, 1 a silent error, or a shard is missing, 2 bad input, 3 internal error, 130 interrupted.)";
 
 struct FlopsOptions {
   std::optional<std::string> scenario;
@@ -55,6 +61,8 @@ struct FlopsOptions {
   std::uint64_t seed = 1;
   int jobs = 1;
   std::string block, shard;
+  std::optional<std::filesystem::path> result;
+  std::vector<std::filesystem::path> merge;
   OutputOptions output;
 };
 
@@ -106,21 +114,51 @@ std::vector<FlopBit> bits_of(const std::vector<Flop>& flops, const FlopsOptions&
   return chosen;
 }
 
-int print_results(const FlopsOptions& given, const std::vector<FlopResult>& results) {
-  FlopTable table;
-  for (const FlopResult& result : results) table.add(result);
+void print_table(const FlopsOptions& given, const FlopTable& table) {
+  if (given.result) replace_text_file(*given.result, to_json(table).dump(1) + '\n');
   if (given.output.json) {
     print_json(to_json(table));
-  } else {
-    if (!given.output.quiet) std::cout << flop_table_text(table);
-    for (const FlopResult& result : table.silent)
-      std::cout << printable_lines(silent_flip_text(result, *given.scenario));
+    return;
   }
-  if (interrupted()) return kExitInterrupted;
-  return table.silent.empty() ? kExitOk : kExitCheckFailed;
+  if (!given.output.quiet) std::cout << flop_table_text(table);
+  for (const FlopResult& result : table.silent) {
+    std::cout << printable_lines(silent_flip_text(result, table.head.scenario));
+  }
+}
+
+int merge_tables(const FlopsOptions& given) {
+  std::optional<FlopTable> merged;
+  for (const std::filesystem::path& file : given.merge) {
+    const FlopTable table = flop_table(read_text_file(file, kMaxTableBytes), file.string());
+    if (merged) {
+      merged->merge(table, file.string());
+    } else {
+      merged = table;
+    }
+  }
+  print_table(given, *merged);
+  if (merged->missing() != 0) std::cerr << fmt::format("{} flips are missing\n", merged->missing());
+  return merged->silent.empty() && merged->missing() == 0 ? kExitOk : kExitCheckFailed;
+}
+
+// Without results.
+FlopTable new_table(const FlopsOptions& given, const FlopSweep& sweep, Shard shard, std::int64_t bits) {
+  FlopTable table;
+  table.head = {
+      .scenario = *given.scenario,
+      .seed = given.seed,
+      .flops = fmt::format("--every {}{}{}", given.every, given.block.empty() ? "" : " --block ", given.block),
+      .flips = bits * static_cast<std::int64_t>(sweep.instants.size())};
+  for (const Cycles at : sweep.instants) table.head.instants_s.push_back(to_seconds(at));
+  if (shard.total > 1) table.shards = {fmt::format("{}/{}", shard.index, shard.total)};
+  return table;
 }
 
 int run_flops(const FlopsOptions& given, const SearchPath& path) {
+  OutputFiles files;
+  for (const std::filesystem::path& file : given.merge) files.reads(file);
+  if (given.result) files.writes(*given.result, "--result", Writing::kInPlace);
+  if (!given.merge.empty()) return merge_tables(given);
   if (!given.scenario) return list_flops(given);
   const Shard shard = shard_of(given.shard);
   LoadOptions load{.search_path = path};
@@ -133,7 +171,8 @@ int run_flops(const FlopsOptions& given, const SearchPath& path) {
     throw InputError{scenario.file, fmt::format("expected a run that ends well without a flip, found {}: {}",
                                                 outcome_text(unflipped->verdict.outcome), unflipped->verdict.reason)};
   }
-  FlopSweep sweep{.bits = bits_of(flops_of(scenario), given, shard),
+  const std::vector<Flop> flops = flops_of(scenario);
+  FlopSweep sweep{.bits = bits_of(flops, given, shard),
                   .instants = instants_of(*unflipped, given),
                   .jobs = given.jobs,
                   .stop = interrupted};
@@ -146,7 +185,12 @@ int run_flops(const FlopsOptions& given, const SearchPath& path) {
   }
   const std::vector<FlopResult> results = sweep_flops(scenario, *unflipped, sweep);
   if (shows_progress) std::cerr << "\r\x1b[K" << std::flush;
-  return print_results(given, results);
+  const auto bits = static_cast<std::int64_t>(bits_of(flops, given, Shard{}).size());
+  FlopTable table = new_table(given, sweep, shard, bits);
+  for (const FlopResult& result : results) table.add(result);
+  print_table(given, table);
+  if (interrupted()) return kExitInterrupted;
+  return table.silent.empty() ? kExitOk : kExitCheckFailed;
 }
 
 CommandAction declare_flops(CLI::App& app) {
@@ -173,6 +217,12 @@ CommandAction declare_flops(CLI::App& app) {
       ->capture_default_str()
       ->needs(scenario);
   app.add_option("--shard", options->shard, "Only part I of N parts of the flips, I from 0: I/N")->needs(scenario);
+  app.add_option("--result", options->result, "Write the table as JSON to this file, for --merge")
+      ->type_name(kFileValue)
+      ->needs(scenario);
+  app.add_option("--merge", options->merge, "Run nothing: add the tables of these shards")
+      ->type_name(kFileValue)
+      ->excludes(scenario);
   add_quiet_option(app, options->output);
   add_json_option(app, options->output);
   return [options](const CommonOptions& common) { return run_flops(*options, common.search_path()); };

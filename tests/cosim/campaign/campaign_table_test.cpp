@@ -64,9 +64,9 @@ TEST(CampaignTable, RefusesWhatDoesNotBelongTogether) {
 }
 
 TEST(CampaignTable, HasTheQuantilesOfTheLatency) {
-  KindRow row;
-  for (std::int64_t ticks = 1; ticks <= 200; ++ticks) row.latencies[ticks] = 1;
-  const Latency latency = latency_of(row);
+  LatencyCounts counts;
+  for (std::int64_t ticks = 1; ticks <= 200; ++ticks) counts[ticks] = 1;
+  const Latency latency = latency_of(counts);
   EXPECT_EQ(latency.least, 1);
   EXPECT_EQ(latency.median, 100);
   EXPECT_EQ(latency.most_of_all, 198);

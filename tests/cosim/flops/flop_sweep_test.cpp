@@ -11,6 +11,7 @@
 #include "cosim/campaign/judge.hpp"
 #include "cosim/campaign/judge_limits.hpp"
 #include "cosim/flops/flop_table.hpp"
+#include "cosim/text/input_error.hpp"
 #include "cosim/time/clock.hpp"
 #include "tests/cosim/support/scenario_files.hpp"
 #include "tests/cosim/support/whole_run.hpp"
@@ -149,6 +150,51 @@ TEST(FlopTable, CountsByBlock) {
       "--set 'fault=[{at_s=0.02000246,kind=\"flop_flip\",flop=\"servo_on_o\",bit=1}]'\n");
   EXPECT_EQ(to_json(table)["blocks"]["u_xbar"]["outcomes"]["masked"], 1);
   EXPECT_EQ(to_json(table)["silent"][0]["flop"], "servo_on_o");
+}
+
+// Every third flip of a sweep, from this one on.
+FlopTable table_of_shard(int shard) {
+  FlopTable table{.head = {.scenario = "s", .instants_s = {0.02, 0.04}, .flops = "--every 1", .flips = 30},
+                  .shards = {std::to_string(shard) + "/3"}};
+  for (int flip = shard; flip < 30; flip += 3) {
+    table.add({{"u_xbar.a_q", flip},
+               flip < 15 ? kMiddle : kLate,
+               {.outcome = flip % 4 == 0 ? Outcome::kHang : Outcome::kStopped, .reason = "r", .latency_ticks = flip}});
+  }
+  return table;
+}
+
+TEST(FlopTable, ShardsAddUpToTheWholeThroughFiles) {
+  FlopTable whole = table_of_shard(0);
+  whole.shards.clear();
+  for (const int shard : {1, 2}) {
+    for (const FlopTable part = table_of_shard(shard); const auto& [name, row] : part.blocks) {
+      add_counts(whole.blocks[name].outcomes, row.outcomes);
+      add_counts(whole.blocks[name].latencies, row.latencies);
+    }
+  }
+  const auto from_file = [](int shard) { return flop_table(to_json(table_of_shard(shard)).dump(), "f"); };
+  FlopTable merged = from_file(2);
+  merged.merge(from_file(0), "f");
+  EXPECT_EQ(merged.missing(), 10);
+  merged.merge(from_file(1), "f");
+  EXPECT_EQ(merged.missing(), 0);
+  EXPECT_EQ(merged.shards, std::vector<std::string>{});
+  EXPECT_EQ(flop_table_text(merged), flop_table_text(whole));
+  ASSERT_EQ(merged.silent.size(), 8U);
+  for (std::size_t i = 0; i < merged.silent.size(); ++i) {
+    EXPECT_EQ(merged.silent[i].flip.bit, 4 * static_cast<int>(i));
+    EXPECT_EQ(merged.silent[i].at, i < 4 ? kMiddle : kLate);
+  }
+}
+
+TEST(FlopTable, OthersAreRefused) {
+  FlopTable table = table_of_shard(0);
+  EXPECT_THROW(table.merge(table_of_shard(0), "f"), InputError);
+  FlopTable other = table_of_shard(1);
+  other.head.seed = 7;
+  EXPECT_THROW(table.merge(other, "f"), InputError);
+  EXPECT_THROW((void)flop_table("{}", "f"), InputError);
 }
 
 }  // namespace
