@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "cosim/campaign/campaign_case.hpp"
-#include "cosim/campaign/outcome.hpp"
+#include "cosim/campaign/judge/outcome.hpp"
 #include "cosim/robot/robot_spec.hpp"
 #include "cosim/scenario/files/scenario_loader.hpp"
 

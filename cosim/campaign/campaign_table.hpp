@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "cosim/campaign/campaign.hpp"
-#include "cosim/campaign/outcome.hpp"
-#include "cosim/campaign/outcome_counts.hpp"
+#include "cosim/campaign/judge/outcome.hpp"
+#include "cosim/campaign/judge/outcome_counts.hpp"
 #include "cosim/text/json.hpp"
 
 namespace armature::cosim {

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "controller/base/timebase.hpp"
-#include "cosim/campaign/judge.hpp"
-#include "cosim/campaign/judge_limits.hpp"
+#include "cosim/campaign/judge/judge.hpp"
+#include "cosim/campaign/judge/judge_limits.hpp"
 #include "cosim/run/run.hpp"
 #include "cosim/snapshot/copied_process.hpp"
 #include "cosim/snapshot/message_channel.hpp"

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "controller/base/units.hpp"
-#include "cosim/campaign/outcome.hpp"
-#include "cosim/campaign/true_path.hpp"
+#include "cosim/campaign/judge/outcome.hpp"
+#include "cosim/campaign/judge/true_path.hpp"
 #include "cosim/fabric/flops/flop.hpp"
 #include "cosim/scenario/scenario.hpp"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "cosim/campaign/outcome_counts.hpp"
+#include "cosim/campaign/judge/outcome_counts.hpp"
 #include "cosim/flops/flop_sweep.hpp"
 #include "cosim/text/json.hpp"
 

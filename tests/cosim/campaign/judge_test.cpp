@@ -1,5 +1,5 @@
 // The judge of a campaign bites: each kind of silent error, made by hand.
-#include "cosim/campaign/judge.hpp"
+#include "cosim/campaign/judge/judge.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "cosim/campaign/judge.hpp"
-#include "cosim/campaign/judge_limits.hpp"
+#include "cosim/campaign/judge/judge.hpp"
+#include "cosim/campaign/judge/judge_limits.hpp"
 #include "cosim/flops/flop_table.hpp"
 #include "cosim/text/input_error.hpp"
 #include "cosim/time/clock.hpp"

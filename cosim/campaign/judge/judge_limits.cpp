@@ -1,4 +1,4 @@
-#include "cosim/campaign/judge_limits.hpp"
+#include "cosim/campaign/judge/judge_limits.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "controller/base/words.hpp"
-#include "cosim/campaign/outcome.hpp"
+#include "cosim/campaign/judge/outcome.hpp"
 #include "cosim/text/json.hpp"
 
 namespace armature::cosim {

@@ -1,4 +1,4 @@
-#include "cosim/campaign/outcome_counts.hpp"
+#include "cosim/campaign/judge/outcome_counts.hpp"
 
 #include <algorithm>
 #include <numeric>

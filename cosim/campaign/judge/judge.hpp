@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "controller/base/units.hpp"
-#include "cosim/campaign/judge_limits.hpp"
-#include "cosim/campaign/outcome.hpp"
-#include "cosim/campaign/true_path.hpp"
+#include "cosim/campaign/judge/judge_limits.hpp"
+#include "cosim/campaign/judge/outcome.hpp"
+#include "cosim/campaign/judge/true_path.hpp"
 #include "cosim/run/run_listener.hpp"
 
 namespace armature::cosim {

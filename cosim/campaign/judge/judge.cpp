@@ -1,4 +1,4 @@
-#include "cosim/campaign/judge.hpp"
+#include "cosim/campaign/judge/judge.hpp"
 
 #include <fmt/format.h>
 
