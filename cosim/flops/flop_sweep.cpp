@@ -104,7 +104,7 @@ struct EndMessage {
   std::uint64_t first_state = 0;
 };
 
-bool send(MessageChannel& channel, const FlipEnd& end) {
+bool send_end(MessageChannel& channel, const FlipEnd& end) {
   EndMessage message{.outcome = end.verdict.outcome};
   if (end.detected) message.detected = end.detected->value();
   if (end.first) {
@@ -114,7 +114,7 @@ bool send(MessageChannel& channel, const FlipEnd& end) {
   return channel.send(message) && send_text(channel, end.verdict.reason);
 }
 
-FlipEnd receive(MessageChannel& channel, Cycles flipped_at) {
+FlipEnd receive_end(MessageChannel& channel, Cycles flipped_at) {
   const auto message = channel.receive<EndMessage>();
   auto reason = message ? receive_text(channel) : std::nullopt;
   if (!reason) return {.verdict = {.outcome = Outcome::kFailed, .reason = "the program has crashed"}};
@@ -192,7 +192,7 @@ Copy copy_with_flip(RunToInstant& run, const FlopBit& flip, const FlipEnd* later
     } catch (const std::exception& error) {
       end.verdict = {.outcome = Outcome::kFailed, .reason = error.what()};
     }
-    ::_exit(send(other, end) ? 0 : 1);
+    ::_exit(send_end(other, end) ? 0 : 1);
   }
   return {process, std::move(mine)};
 }
@@ -205,7 +205,7 @@ std::vector<FlipEnd> flip_all(RunToInstant& run, const FlopSweep& sweep, Cycles 
   const auto take_end = [&] {
     Copy copy = std::move(copies.front());
     copies.pop_front();
-    ends.push_back(receive(copy.channel, at));
+    ends.push_back(receive_end(copy.channel, at));
     wait_for_end(copy.process);
     on_end();
   };
