@@ -47,20 +47,21 @@ void sort_by_time(std::vector<Spec>& specs) {
 
 }  // namespace
 
-void read_scenario_keys(TableReader& root, Scenario& scenario) {
+std::vector<std::string_view> read_scenario_keys(TableReader& root, Scenario& scenario) {
   scenario.ends_with_program = root.has("program") && !root.has("duration_s");
   if (scenario.ends_with_program) scenario.duration_s = kLongestProgramRunS;
-  scenario_keys().read_keys(root, {.scenario = &scenario}, scenario);
+  return scenario_keys().read_keys(root, {.scenario = &scenario}, scenario);
 }
 
-void read_scenario_tables(TableReader& root, const ScenarioRobot& robot, const LogicChoice& chosen,
-                          Scenario& scenario) {
+void read_scenario_tables(TableReader& root, const std::vector<std::string_view>& bad, const ScenarioRobot& robot,
+                          const LogicChoice& chosen, Scenario& scenario) {
   KeyContext context{.robot = robot, .scenario = &scenario};
   const Variant written = scenario.variant;
   scenario.variant = chosen.variant.value_or(written);
   scenario.engine = chosen.engine.value_or(scenario.engine);
   context.paper_keys = scenario.variant == Variant::kPaper || written == Variant::kPaper;
 
+  scenario_keys().count_elements(bad, root, context, scenario);
   scenario_keys().read_tables(root, context, scenario);
   if (scenario.pendant && !scenario.serial) scenario.serial.emplace();
   require_no_pendant(root, scenario);

@@ -88,6 +88,11 @@ struct KeyTable {
   std::vector<std::string_view> read_keys(TableReader& table, const KeyContext& context, Spec& spec) const {
     return read_plain_keys(keys.plain(), table, context, &spec);
   }
+  // After read_keys() without a robot, which has returned `bad`: reports arrays that have not an element for each axis.
+  void count_elements(const std::vector<std::string_view>& bad, TableReader& table, const KeyContext& context,
+                      Spec& spec) const {
+    count_plain_keys(keys.plain(), bad, table, context, &spec);
+  }
   void read_tables(TableReader& table, const KeyContext& context, Spec& spec) const {
     read_plain_tables(tables.plain(), table, context, &spec);
   }

@@ -51,6 +51,15 @@ std::vector<std::string_view> read_plain_keys(const std::vector<PlainKey>& keys,
   return bad;
 }
 
+void count_plain_keys(const std::vector<PlainKey>& keys, const std::vector<std::string_view>& bad, TableReader& table,
+                      const KeyContext& context, void* spec) {
+  const TableKeys rules{table, {}, context};
+  for (const PlainKey& key : keys) {
+    if (!key.info.per_axis || !table.has(key.info.name) || std::ranges::find(bad, key.info.name) != bad.end()) continue;
+    (void)key.read(table, rules.rule(key.info), Need::kOptional, spec);
+  }
+}
+
 void read_plain_tables(const std::vector<PlainSubTable>& tables, TableReader& table, const KeyContext& context,
                        void* spec) {
   for (const PlainSubTable& sub : tables) {

@@ -32,6 +32,9 @@ struct PlainTableCheck {
 // Reads the keys. Returns those that are missing or wrong.
 std::vector<std::string_view> read_plain_keys(const std::vector<PlainKey>& keys, TableReader& table,
                                               const KeyContext& context, void* spec);
+// Reads the arrays with an element for each axis again, but those of `bad`, now that the context has a robot.
+void count_plain_keys(const std::vector<PlainKey>& keys, const std::vector<std::string_view>& bad, TableReader& table,
+                      const KeyContext& context, void* spec);
 void read_plain_tables(const std::vector<PlainSubTable>& tables, TableReader& table, const KeyContext& context,
                        void* spec);
 // Calls the checks that have none of the keys `bad`.
