@@ -7,7 +7,7 @@
 #include "controller/app/core0_reporter.hpp"
 #include "controller/app/inverse_console.hpp"
 #include "controller/language/gcode/flow/canon_interpreter.hpp"
-#include "controller/motion/cordic_solver.hpp"
+#include "controller/motion/cordic/cordic_solver.hpp"
 #include "controller/motion/count_logic_port.hpp"
 #include "controller/motion/motion_loop.hpp"
 #include "controller/motion/paper_logic_port.hpp"

@@ -18,7 +18,7 @@ enum class FaultCause : std::uint8_t {
   kLimitSwitch,  // the axis moves towards an active limit switch
   kHardwareId,   // a block of the logic is not the one that this software supports
   kDrivesOff,    // no fault of the arm: a SwitchOff, or the controller starts with its drives off
-  kClock,        // no trigger came for 1.5 ticks: the clock of the logic or its timer stood still
+  kClock,        // no trigger came for 1.5 ticks, or ticks have a wrong length: the timer of the logic, or its clock
   kInverseKinematics,  // the logic solved a pose, and its joint angles are not those of the software
   kEncoderSpeed,       // an encoder is faster than the limit of its axis
   kEncoderAccel,       // an encoder changes its speed faster than the limit of its axis

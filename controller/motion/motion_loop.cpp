@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cassert>
+#include <optional>
 #include <utility>
 
 #include "controller/base/timebase.hpp"
@@ -12,11 +13,6 @@ namespace {
 
 // All axes must have stood still, within a count, for this time before Fault can be left: 5 ms.
 constexpr Ticks kStandstill{100};
-
-// The core waits at most a tick for a trigger.
-constexpr Cycles kLongestWait{kTickCycles.value() * 3 / 2};
-// From tick to tick, besides the ticks that the logic counts as underruns: two, and what may vary.
-constexpr Cycles kLongestTick{kTickCycles.value() * 5 / 2};
 
 std::uint8_t first_axis(std::uint8_t mask) {
   return static_cast<std::uint8_t>(std::countr_zero(mask) + 1);
@@ -43,13 +39,10 @@ MotionLoop::MotionLoop(const RobotModel& robot, bool feedback, LogicPort& logic,
 
 void MotionLoop::run() noexcept {
   start();
-  woke_ = bus_.now();
-  for (Cycles waits_since = woke_; bus_.wait_for_interrupt(Interrupts::kTimer) != Interrupts::kNone;
-       waits_since = bus_.now()) {
-    const Cycles now = bus_.now();
-    trigger_late_ = now - waits_since > kLongestWait;
-    since_wake_ = now - woke_;
-    woke_ = now;
+  Cycles waits_since = bus_.now();
+  time_.start(waits_since);
+  for (; bus_.wait_for_interrupt(Interrupts::kTimer) != Interrupts::kNone; waits_since = bus_.now()) {
+    time_.wake(waits_since, bus_.now());
     bus_.charge(Work::kInterruptEntry);
     logic_.acknowledge();
     tick();
@@ -87,6 +80,9 @@ void MotionLoop::tick() noexcept {
   const LogicInput& input = logic_.sample();
   for (std::size_t axis = 0; axis < kAxes; ++axis) telemetry_.actual[axis] = axes_[axis].actual(input.encoder[axis]);
   watch_.observe(telemetry_.tick, bus_);
+  // The logic counts the ticks that a late core misses. That of Vo 2021 does not.
+  const bool counts_ticks = input.always_counted == PulseTrain::kAllAxes;
+  time_.observe(counts_ticks ? std::optional{input.new_underruns} : std::nullopt);
   const bool was_in_fault = telemetry_.state == MotionState::kFault;
   if (was_in_fault) {
     tick_in_fault(input);
@@ -133,7 +129,7 @@ MotionLoop::Finding MotionLoop::find_fault(const LogicInput& input) const noexce
   if (const auto off = static_cast<std::uint8_t>(PulseTrain::kAllAxes & ~input.drives.servo_on); off != 0) {
     return {FaultCause::kServoEnable, off == PulseTrain::kAllAxes ? std::uint8_t{0} : first_axis(off)};
   }
-  if (stood_still(input)) return {FaultCause::kClock};
+  if (time_.stood_still() || time_.wrong()) return {FaultCause::kClock};
   if (watch_.silent()) return {FaultCause::kCore1Silent};
   if (inverse_ != nullptr && inverse_->differs) return {FaultCause::kInverseKinematics, inverse_->differing_axis};
   if (input.drives.alarm != 0) return {FaultCause::kDriveAlarm, first_axis(input.drives.alarm)};
@@ -168,17 +164,10 @@ MotionLoop::Finding MotionLoop::find_axis_fault(const LogicInput& input) const n
   return {};
 }
 
-// The logic counts the ticks that a late core misses. That of Vo 2021 does not.
-bool MotionLoop::stood_still(const LogicInput& input) const noexcept {
-  if (trigger_late_ || since_wake_ <= kLongestTick) return trigger_late_;
-  const bool counts_ticks = input.always_counted == PulseTrain::kAllAxes;
-  return counts_ticks && since_wake_ > kLongestTick + Cycles{kTickCycles.value() * std::int64_t{input.new_underruns}};
-}
-
 // Those whose decoder may have lost counts. While the logic stood still, it has not counted.
 std::uint8_t MotionLoop::uncounted_motion(const LogicInput& input) const noexcept {
   const unsigned flags = input.encoder_faults.illegal | input.encoder_faults.index;
-  return static_cast<std::uint8_t>((stood_still(input) ? PulseTrain::kAllAxes : flags) & input.always_counted);
+  return static_cast<std::uint8_t>((time_.stood_still() ? PulseTrain::kAllAxes : flags) & input.always_counted);
 }
 
 // Those whose encoder may be false.
@@ -282,8 +271,8 @@ void MotionLoop::tick_in_fault(const LogicInput& input) noexcept {
 
 bool MotionLoop::fault_can_end(const LogicInput& input) const noexcept {
   const bool stopped = input.status.estop || input.status.estop_pin || input.status.watchdog;
-  return !stopped && input.drives.alarm == 0 && !input.encoder_faults.any() && logic_.uncounted_axes() == 0 &&
-         still_ >= kStandstill;
+  return !stopped && !time_.wrong() && input.drives.alarm == 0 && !input.encoder_faults.any() &&
+         logic_.uncounted_axes() == 0 && still_ >= kStandstill;
 }
 
 void MotionLoop::update_standstill(const PerAxis<Counts>& encoder) noexcept {

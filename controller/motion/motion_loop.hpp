@@ -11,7 +11,7 @@
 // A late core does not wait for the trigger. So a long wait means that the logic stood still, clock or timer: all pins
 // kept their levels meanwhile, and an emergency stop had no effect. The loop reports this when it continues (kClock).
 // If the core waited for the bus then, only the time since the trigger before shows it: it is longer than the ticks
-// that the logic has counted.
+// that the logic has counted. The same fault says that a tick is not as long as it should be.
 //
 // States: Idle <-> Moving <-> Holding, both -> Stopping -> Idle; each -> Fault -> Idle (Order::kClearFault). In
 // Fault empty sets are committed and the drives are off. An axis whose encoder was at fault, or has left the motion of
@@ -24,11 +24,12 @@
 #include "controller/message/telemetry.hpp"
 #include "controller/motion/axis_control.hpp"
 #include "controller/motion/controller_observer.hpp"
+#include "controller/motion/cordic/inverse_check.hpp"
 #include "controller/motion/emission.hpp"
-#include "controller/motion/inverse_check.hpp"
 #include "controller/motion/logic_port.hpp"
 #include "controller/motion/loop_channel.hpp"
 #include "controller/motion/set_point_source.hpp"
+#include "controller/motion/tick_time.hpp"
 #include "controller/robot/encoder_monitor.hpp"
 #include "controller/robot/robot_model.hpp"
 
@@ -59,7 +60,6 @@ class MotionLoop {
   void account_for_emission(const LogicInput& input) noexcept;
   [[nodiscard]] Finding find_fault(const LogicInput& input) const noexcept;
   [[nodiscard]] Finding find_axis_fault(const LogicInput& input) const noexcept;
-  [[nodiscard]] bool stood_still(const LogicInput& input) const noexcept;
   [[nodiscard]] std::uint8_t uncounted_motion(const LogicInput& input) const noexcept;
   [[nodiscard]] std::uint8_t untrusted_axes(const LogicInput& input) const noexcept;
 
@@ -94,10 +94,8 @@ class MotionLoop {
   std::uint8_t referenced_;  // mask of axes whose joint angles are known
   EncoderMonitor monitor_;
   Core1Watch watch_;
-  bool trigger_late_ = false;  // the core waited longer than kLongestWait for the present tick
-  Cycles woke_{};              // at the present tick
-  Cycles since_wake_{};        // from the one before
-  bool clearing_ = false;      // in Fault: the latches were cleared, the result is known in the next tick
+  TickTime time_;
+  bool clearing_ = false;  // in Fault: the latches were cleared, the result is known in the next tick
   PerAxis<Counts> still_position_{};
   Ticks still_{};
 };

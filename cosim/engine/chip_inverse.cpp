@@ -8,7 +8,7 @@
 #include "controller/kinematics/five_r.hpp"
 #include "controller/kinematics/fixed/fixed_point.hpp"
 #include "controller/kinematics/six_r.hpp"
-#include "controller/motion/cordic_words.hpp"
+#include "controller/motion/cordic/cordic_words.hpp"
 #include "cosim/engine/chip_bus.hpp"
 
 namespace armature::cosim {

@@ -1,5 +1,5 @@
 // The set-points that ik_cordic solves, on the model of the logic.
-#include "controller/motion/cordic_solver.hpp"
+#include "controller/motion/cordic/cordic_solver.hpp"
 
 #include <gtest/gtest.h>
 

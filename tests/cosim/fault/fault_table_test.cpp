@@ -106,6 +106,7 @@ const std::vector<Case> kCases{
     {.fault = R"(kind = "uart_overrun", duration_s = 0.1)", .why = kNoSerial},
     {.fault = R"(kind = "flop_flip", flop = "servo_on_o", bit = 1)", .engine = "rtl"},
     {.fault = R"(kind = "flop_flip", flop = "u_axi_timer.u_core.u_timer0.tlr_o", bit = 15)", .engine = "rtl"},
+    {.fault = R"(kind = "flop_flip", flop = "u_axi_timer.u_core.u_timer0.tlr_o", bit = 10)", .engine = "rtl"},
 };
 constexpr double kResetAt = 0.62;
 constexpr std::array kTimes{0.2001, 0.22619, 0.26003};
