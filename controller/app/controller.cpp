@@ -97,6 +97,7 @@ void Controller::core0_main(RegisterBus& bus, InverseSolver* solver) noexcept {
   if (belt.config != nullptr && belt.config->policy) belt.correction = &correction.emplace(bus, *belt.config->policy);
   const auto run_on = [&](LogicPort& logic) {
     if (pendant_) logic.keep_drives_off();
+    if (!config.referenced) logic.start_anywhere();
     SourceSelector source{robot, path_arm, core0_arm_, planning_.flange_T_tool, channel_, reporter, logic, belt};
     const bool feedback = config.feedback && !config.paper;
     MotionLoop{robot, feedback, logic, bus, channel_.loop, source, reporter, config.referenced, check}.run();

@@ -18,12 +18,12 @@ bool Encoder::identified() noexcept {
   return bus_.read32(base_ + kIdOffset) == kIdWord;
 }
 
-void Encoder::configure(const PerAxis<std::int32_t>& counts_per_rev) noexcept {
+void Encoder::configure(const PerAxis<std::int32_t>& counts_per_rev, std::uint8_t zero_axes) noexcept {
   for (std::uint32_t axis = 0; axis < kAxes; ++axis) {
     const auto counts = static_cast<std::uint32_t>(counts_per_rev[axis]);
     bus_.write32(base_ + (kCountsPerRevOffset + axis * kCountsPerRevStride), insert(0, kCountsPerRevValue, counts));
   }
-  bus_.write32(base_ + kIndexCheckOffset, kIndexCheckEnableMask);
+  bus_.write32(base_ + kIndexCheckOffset, insert(kIndexCheckEnableMask, kIndexCheckFirst, zero_axes));
 }
 
 std::uint8_t Encoder::known() noexcept {

@@ -19,7 +19,12 @@ void CountLogicPort::start(const RobotModel& robot) noexcept {
   pulse_train_.configure({.tick = kTickCycles,
                           .dir_setup = largest_of(robot, &AxisModel::dir_setup_cycles),
                           .dir_hold = largest_of(robot, &AxisModel::dir_hold_cycles)});
-  encoder_.configure(make_per_axis([&](std::size_t axis) { return robot.axes[axis].counts_per_rev; }));
+  unsigned zero_axes = 0;
+  for (std::size_t axis = 0; axis < kAxes && starts_at_zero_; ++axis) {
+    zero_axes |= (robot.axes[axis].index_at_zero ? 1u : 0u) << axis;
+  }
+  encoder_.configure(make_per_axis([&](std::size_t axis) { return robot.axes[axis].counts_per_rev; }),
+                     static_cast<std::uint8_t>(zero_axes));
   pulse_train_.clear(kAllFlags);
   encoder_.clear(kAllEncoderFlags);
   read_uncounted_axes();

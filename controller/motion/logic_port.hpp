@@ -45,6 +45,10 @@ class LogicPort {
   void keep_drives_off() noexcept { drives_at_start_ = false; }
   [[nodiscard]] bool drives_at_start() const noexcept { return drives_at_start_; }
 
+  // The arm does not start at joint angles 0, so start() expects the first index of no axis there. Call it before
+  // start().
+  void start_anywhere() noexcept { starts_at_zero_ = false; }
+
   // Mask of axes (bit 0 for axis 1) whose encoder did not count when last sampled by start() or clear_faults().
   [[nodiscard]] std::uint8_t uncounted_axes() const noexcept { return uncounted_axes_; }
 
@@ -98,6 +102,7 @@ class LogicPort {
   LogicInput input_{};
   PerAxis<Counts> origin_{};  // position minus the counts of the logic
   std::uint16_t sequence_ = 0;
+  bool starts_at_zero_ = true;
   std::uint8_t uncounted_axes_ = 0;
   bool drives_at_start_ = true;
 };

@@ -40,6 +40,11 @@ inline constexpr std::uint32_t kIndexCheckOffset = 0x08;
 inline constexpr Field kIndexCheckEnable{.lsb = 0, .width = 6};  // enable (rw): Enables the check, one bit per axis
 inline constexpr std::uint32_t kIndexCheckEnableMask = 0x0000003F;
 inline constexpr std::uint32_t kIndexCheckEnableReset = 0;
+// first (rw): Checks the first index since reset too, one bit per axis: it must be 0 or COUNTS_PER_REV from position 0,
+// because an index lies there.
+inline constexpr Field kIndexCheckFirst{.lsb = 8, .width = 6};
+inline constexpr std::uint32_t kIndexCheckFirstMask = 0x00003F00;
+inline constexpr std::uint32_t kIndexCheckFirstReset = 0;
 
 // FILTER: Debounce mode of A, B and Z of all axes; a change takes effect at once.
 inline constexpr std::uint32_t kFilterOffset = 0x0C;
@@ -55,7 +60,8 @@ inline constexpr std::uint32_t kFaultOffset = 0x10;
 // illegal (w1c): A and B changed at once; the position does not change.
 inline constexpr Field kFaultIllegal{.lsb = 0, .width = 6};
 inline constexpr std::uint32_t kFaultIllegalMask = 0x0000003F;
-// index (w1c): Two index latches are neither equal nor one revolution apart: counts or an index pulse were lost.
+// index (w1c): Two index latches are neither equal nor one revolution apart: counts or an index pulse were lost; or the
+// first one is not where INDEX_CHECK.first expects it.
 inline constexpr Field kFaultIndex{.lsb = 8, .width = 6};
 inline constexpr std::uint32_t kFaultIndexMask = 0x00003F00;
 

@@ -39,6 +39,8 @@ struct AxisModel {
   std::int32_t pulses_per_rev = 1;
   // Encoder counts (four per line) per motor revolution.
   std::int32_t counts_per_rev = 1;
+  // An index of the encoder is at joint angle 0. An arm that starts there has its first index where it expects it.
+  bool index_at_zero = false;
 
   // Joint limits and rates, joint side.
   double min_rad = 0.0;
@@ -102,10 +104,10 @@ struct AxisModel {
                          {&min_step_high_cycles, min_step_high_cycles >= 0},
                          {&min_step_low_cycles, min_step_low_cycles >= 0}});
   }
-  ARMATURE_MEMBERS(AxisModel, gear_ratio, pulses_per_rev, counts_per_rev, min_rad, max_rad, max_speed_rad_s,
-                   max_accel_rad_s2, max_jerk_rad_s3, following_error_limit_rad, following_error_at_rest_rad,
-                   encoder_speed_rad_s, encoder_accel_rad_s2, drive_natural_rad_s, drive_damping, dir_setup_cycles,
-                   dir_hold_cycles, min_step_high_cycles, min_step_low_cycles, homing)
+  ARMATURE_MEMBERS(AxisModel, gear_ratio, pulses_per_rev, counts_per_rev, index_at_zero, min_rad, max_rad,
+                   max_speed_rad_s, max_accel_rad_s2, max_jerk_rad_s3, following_error_limit_rad,
+                   following_error_at_rest_rad, encoder_speed_rad_s, encoder_accel_rad_s2, drive_natural_rad_s,
+                   drive_damping, dir_setup_cycles, dir_hold_cycles, min_step_high_cycles, min_step_low_cycles, homing)
 };
 
 struct RobotModel {

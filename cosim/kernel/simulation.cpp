@@ -19,6 +19,10 @@ std::optional<Cycles> drop_out(const Scenario& scenario) {
   return to_cycles(*scenario.drop_out_us * 1e-6);
 }
 
+PerAxis<double> start_deg(const Scenario& scenario) {
+  return scenario.unreferenced_start_deg.value_or(scenario.moved_start_deg.value_or(PerAxis<double>{}));
+}
+
 }  // namespace
 
 Simulation::Simulation(const Scenario& scenario, std::unique_ptr<Soc> soc, SimulationListener& listener,
@@ -30,7 +34,7 @@ Simulation::Simulation(const Scenario& scenario, std::unique_ptr<Soc> soc, Simul
       memory_(to_boot_memory(scenario)),
       processor_{make_processor(memory_.memory(), scenario.cpu)},
       host_{memory_.memory()},
-      plant_{scenario.robot, drop_out(scenario), scenario.unreferenced_start_deg.value_or(PerAxis<double>{})},
+      plant_{scenario.robot, drop_out(scenario), start_deg(scenario)},
       conservation_{
           plant_, scenario.bus, {.paper = scenario.variant == Variant::kPaper, .input_jitter = scenario.input_jitter}},
       ticks_{*soc_, plant_, conservation_},

@@ -150,6 +150,7 @@ struct Scenario {
   std::uint64_t seed = 1;
   bool input_jitter = false;                              // changes of input pins reach the logic up to a clock later
   std::optional<PerAxis<double>> unreferenced_start_deg;  // none: at 0, and the controller knows it
+  std::optional<PerAxis<double>> moved_start_deg;         // the same, but the controller takes it to be at 0
   std::optional<double> drop_out_us;  // of the servo power after the last edge of heartbeat_o; none: no drop-out
   Variant variant = Variant::kCounts;
   Engine engine = Engine::kRtl;

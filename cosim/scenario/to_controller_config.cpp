@@ -41,6 +41,7 @@ AxisModel to_axis_model(const AxisSpec& axis) {
       .gear_ratio = axis.gear_ratio,
       .pulses_per_rev = axis.pulses_per_rev,
       .counts_per_rev = axis.encoder_lines * kCountsPerLine,
+      .index_at_zero = true,  // as the encoders of cosim/plant
       .min_rad = axis.min_deg * kRadPerDeg,
       .max_rad = axis.max_deg * kRadPerDeg,
       .max_speed_rad_s = axis.max_speed_deg_s * kRadPerDeg,

@@ -16,6 +16,8 @@ typedef struct packed {
                                           // wide); less with bounce, see rtl/encoder/README.md
   // 0x08 INDEX_CHECK: Successive index latches must be 0 or COUNTS_PER_REV apart.
   logic [5:0]      index_check_enable;    // Enables the check, one bit per axis
+  logic [5:0]      index_check_first;     // Checks the first index since reset too, one bit per axis: it must be 0 or
+                                          // COUNTS_PER_REV from position 0, because an index lies there
   // 0x0C FILTER: Debounce mode of A, B and Z of all axes; a change takes effect at once.
   logic            filter_mode;           // 0: a change back restarts the count (Vo 2021, Figure 4), bounce may delay a
                                           // level without limit; 1: saturating up/down count, N samples against a level
@@ -24,7 +26,8 @@ typedef struct packed {
   // first index mismatch.
   logic [5:0]      fault_illegal;         // A and B changed at once; the position does not change
   logic [5:0]      fault_index;           // Two index latches are neither equal nor one revolution apart: counts or an
-                                          // index pulse were lost
+                                          // index pulse were lost; or the first one is not where INDEX_CHECK.first
+                                          // expects it
   // 0x80 COUNTS_PER_REV[6]: Counts per encoder revolution, for the index check.
   logic [6*24-1:0] counts_per_rev_value;  // [counts] Four times the lines of the encoder
 } encoder_reg2hw_t;

@@ -137,6 +137,7 @@ module encoder_core #(
     .up_i            (up),
     .down_i          (down),
     .check_i         (reg2hw_i.index_check_enable[Axes-1:0]),
+    .first_i         (reg2hw_i.index_check_first[Axes-1:0]),
     .counts_per_rev_i(reg2hw_i.counts_per_rev_value[Axes*24-1:0]),
     .position_o      (index_position),
     .seen_o          (seen),
@@ -181,6 +182,7 @@ module encoder_core #(
   logic unused;
   if (Axes < MapAxes) begin : gen_unused
     assign unused = ^{reg2hw_i.id_re, reg2hw_i.index_check_enable[MapAxes-1:Axes],
+                      reg2hw_i.index_check_first[MapAxes-1:Axes],
                       reg2hw_i.counts_per_rev_value[MapAxes*24-1:Axes*24], reg2hw_i.fault_illegal[MapAxes-1:Axes],
                       reg2hw_i.fault_index[MapAxes-1:Axes]};
   end else begin : gen_unused

@@ -26,6 +26,9 @@ package encoder_reg_pkg;
   localparam int          IndexCheckEnableLsb   = 0;
   localparam int          IndexCheckEnableWidth = 6;
   localparam logic [5:0]  IndexCheckEnableReset = 6'd0;
+  localparam int          IndexCheckFirstLsb    = 8;
+  localparam int          IndexCheckFirstWidth  = 6;
+  localparam logic [5:0]  IndexCheckFirstReset  = 6'd0;
 
   // FILTER: Debounce mode of A, B and Z of all axes; a change takes effect at once.
   localparam logic [15:0] FilterOffset    = 16'h000C;

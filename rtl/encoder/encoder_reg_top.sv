@@ -42,6 +42,7 @@ module encoder_reg_top (
   logic [31:0]     id_rdata;
   logic [7:0]      debounce_time_q;
   logic [5:0]      index_check_enable_q;
+  logic [5:0]      index_check_first_q;
   logic            filter_mode_q;
   logic [5:0]      fault_illegal_q;
   logic [5:0]      fault_illegal_set;
@@ -61,6 +62,7 @@ module encoder_reg_top (
   assign id_rdata                      = hw2reg_i.id_rdata;
   assign reg2hw_o.debounce_time        = debounce_time_q;
   assign reg2hw_o.index_check_enable   = index_check_enable_q;
+  assign reg2hw_o.index_check_first    = index_check_first_q;
   assign reg2hw_o.filter_mode          = filter_mode_q;
   assign reg2hw_o.fault_illegal        = fault_illegal_q;
   assign fault_illegal_set             = hw2reg_i.fault_illegal_set;
@@ -89,6 +91,7 @@ module encoder_reg_top (
       werr_q                 <= 1'b0;
       debounce_time_q        <= 8'd5;
       index_check_enable_q   <= '0;
+      index_check_first_q    <= '0;
       filter_mode_q          <= '0;
       fault_illegal_q        <= '0;
       fault_index_q          <= '0;
@@ -103,7 +106,10 @@ module encoder_reg_top (
           16'h0004:  // DEBOUNCE, protected
             if (locked) werr_q <= 1'b1;
             else if (wstrb[0]) debounce_time_q <= wdata[7:0];
-          16'h0008: if (wstrb[0]) index_check_enable_q <= wdata[5:0];
+          16'h0008: begin  // INDEX_CHECK
+            if (wstrb[0]) index_check_enable_q <= wdata[5:0];
+            if (wstrb[1]) index_check_first_q  <= wdata[13:8];
+          end
           16'h000C:  // FILTER, protected
             if (locked) werr_q <= 1'b1;
             else if (wstrb[0]) filter_mode_q <= wdata[0];
@@ -137,7 +143,7 @@ module encoder_reg_top (
       case (raddr)
         16'h0000: rdata_q <= id_rdata;
         16'h0004: rdata_q <= {24'b0, debounce_time_q};
-        16'h0008: rdata_q <= {26'b0, index_check_enable_q};
+        16'h0008: rdata_q <= {18'b0, index_check_first_q, 2'b0, index_check_enable_q};
         16'h000C: rdata_q <= {31'b0, filter_mode_q};
         16'h0010: rdata_q <= {18'b0, fault_index_q, 2'b0, fault_illegal_q};
         16'h0014: rdata_q <= trigger_time_cycles;

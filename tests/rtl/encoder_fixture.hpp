@@ -33,6 +33,7 @@ class EncoderFixture : public VerilatedTest<Dut> {
   EncoderFixture() {
     this->dut_.trigger_i = 0;
     this->dut_.index_check_enable_i = 0;
+    this->dut_.index_check_first_i = 0;
     this->dut_.filter_mode_i = 0;
     for (auto& disc : discs_) disc.position = 1;  // not at the index
     set_debounce(kDebounce);

@@ -100,6 +100,20 @@ TEST_F(EncoderIndex, CountsLostBetweenTwoMarksAreReported) {
   }
 }
 
+TEST_F(EncoderIndex, TheFirstIndexIsComparedWithZero) {
+  constexpr int kFirst = 1 << 1 | 1 << 2;
+  dut_.index_check_first_i = kFirst;
+  for (const int off : {0, 1, 4, -7, 20, 40}) {
+    for (const int direction : {1, -1}) {
+      for (auto& disc : discs_) disc.position = off;
+      restart();
+      for (const std::size_t axis : {0U, 1U, 2U}) turn(axis, 60 * direction);
+      EXPECT_EQ(dut_.index_seen_axes_o, 0b111);
+      EXPECT_EQ(index_flags_, off % 40 == 0 ? 0 : kFirst) << "off " << off << " direction " << direction;
+    }
+  }
+}
+
 TEST_F(EncoderIndex, MissingMarkIsReported) {
   turn(0, 79);
   for (auto& disc : discs_) disc.counts_per_rev = 80;  // every second mark is gone

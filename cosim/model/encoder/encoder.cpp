@@ -118,7 +118,15 @@ void Encoder<kDecoders>::count(const Steps& steps, std::uint32_t time) {
   });
 }
 
-// Two successive positions are equal or one revolution apart.
+// Axes whose next index is checked, one bit each.
+template <std::size_t kDecoders>
+std::uint32_t Encoder<kDecoders>::checked_indexes() const {
+  using armature::regs::extract;
+  const std::uint32_t first = extract(index_check_, encoder_regs::kIndexCheckFirst);
+  return extract(index_check_, encoder_regs::kIndexCheckEnable) & (seen_ | first);
+}
+
+// Two successive positions are equal or one revolution apart. Before the first one there is 0.
 template <std::size_t kDecoders>
 bool Encoder<kDecoders>::fits_index(std::size_t axis, std::uint32_t position) const {
   const std::uint32_t moved = position - axes_[axis].index_position, turn = counts_per_rev_[axis];
@@ -134,7 +142,7 @@ std::uint32_t Encoder<kDecoders>::latch_index(const Steps& steps) {
     if (!fits_index(i, position)) mismatch |= 1u << i;
     axes_[i].index_position = position;
   });
-  mismatch &= index_check_ & seen_;
+  mismatch &= checked_indexes();
   seen_ |= index_;
   return mismatch;
 }
@@ -202,7 +210,8 @@ bool Encoder<kDecoders>::write(const Strobes& access, bool locked) {
       if (!locked) debounce_ = static_cast<std::uint8_t>(merged(debounce_, access));
       return locked;
     case encoder_regs::kIndexCheckOffset:
-      index_check_ = static_cast<std::uint8_t>(merged(index_check_, access) & encoder_regs::kIndexCheckEnableMask);
+      index_check_ =
+          merged(index_check_, access) & (encoder_regs::kIndexCheckEnableMask | encoder_regs::kIndexCheckFirstMask);
       return false;
     case encoder_regs::kFilterOffset:
       if (!locked) up_down_ = (merged(up_down_, access) & encoder_regs::kFilterModeMask) != 0;

@@ -118,6 +118,7 @@ class Encoder {
   [[nodiscard]] Steps steps() const;
   void snapshot(std::uint32_t time);
   void count_errors(std::uint32_t illegal);
+  [[nodiscard]] std::uint32_t checked_indexes() const;
   [[nodiscard]] bool fits_index(std::size_t axis, std::uint32_t position) const;
   [[nodiscard]] std::uint32_t latch_index(const Steps& steps);  // returns the axes with a mismatch
   void count(const Steps& steps, std::uint32_t time);
@@ -142,7 +143,7 @@ class Encoder {
   std::uint8_t debounce_ = 5;
   bool up_down_ = false;
   bool unlocked_ = false;
-  std::uint8_t index_check_ = 0;
+  std::uint32_t index_check_ = 0;
   std::uint32_t faults_ = 0;
   std::array<std::uint32_t, 2> fault_times_{};  // of illegal transitions, of the index
   PerAxis<std::uint32_t> counts_per_rev_;

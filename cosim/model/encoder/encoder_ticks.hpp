@@ -35,7 +35,7 @@ bool Encoder<kDecoders>::leave_out_lines(Cycles at, const LineHistory& history) 
 template <std::size_t kDecoders>
 bool Encoder<kDecoders>::expect(const PerAxis<Counts>& counts, const PerAxis<std::optional<Counts>>& index) {
   for (std::size_t i = 0; i < kDecoders; ++i) {
-    if (!index[i] || (index_check_ & seen_ & 1u << i) == 0) continue;
+    if (!index[i] || (checked_indexes() & 1u << i) == 0) continue;
     if (!fits_index(i, as_register(*index[i]) + offsets_[i])) return false;
   }
   for (std::size_t i = 0; i < kDecoders; ++i) {

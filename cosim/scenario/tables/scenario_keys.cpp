@@ -30,6 +30,10 @@ std::string check_start(const Scenario& scenario, const KeyContext&) {
   return "the variant paper cannot find its joint angles: its decoder sees one encoder";
 }
 
+std::string check_moved_start(const Scenario& scenario, const KeyContext&) {
+  return scenario.unreferenced_start_deg ? "not allowed with unreferenced_start_deg" : std::string{};
+}
+
 }  // namespace
 
 std::string outside_run(double at_s, const Scenario& scenario) {
@@ -70,6 +74,13 @@ const KeyTable<Scenario>& scenario_keys() {
                   "all motions until a `home` has succeeded for all axes.")
                   .without("the arm stands at 0, and the controller knows it")
                   .checked(check_start),
+              key("moved_start_deg", &Scenario::moved_start_deg, between(-kMaxAngleDeg, kMaxAngleDeg, "deg"),
+                  "Joint angles at which the arm stands at the start, while the controller takes it to be at 0, as if "
+                  "somebody had moved it without power. The logic notices it at the first index of an encoder, but not "
+                  "in "
+                  "whole turns of a motor. The variant paper never notices it.")
+                  .without("the arm stands where the controller takes it to be")
+                  .checked(check_moved_start),
               key("drop_out_us", &Scenario::drop_out_us, above(0, 1'000'000, "us"),
                   "An external relay removes the servo power of all drives when the pin `heartbeat_o` has been "
                   "constant for this time. It closes again after all servo enables have been low.")

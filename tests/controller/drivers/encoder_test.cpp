@@ -28,8 +28,8 @@ TEST_F(EncoderDriver, KnowsItsBlockById) {
 TEST_F(EncoderDriver, ChecksTheIndexOnlyOnceItKnowsTheRevolution) {
   const testing::InSequence in_order;
   for (std::uint32_t axis = 0; axis < 6; ++axis) EXPECT_CALL(bus, write32(encoder_at(0x80 + 4 * axis), 10'000u + axis));
-  EXPECT_CALL(bus, write32(encoder_at(0x08), 0x3Fu));
-  encoder.configure({10'000, 10'001, 10'002, 10'003, 10'004, 10'005});
+  EXPECT_CALL(bus, write32(encoder_at(0x08), 0x153Fu));
+  encoder.configure({10'000, 10'001, 10'002, 10'003, 10'004, 10'005}, 0x15);
 }
 
 TEST_F(EncoderDriver, ReadsWhichAxesAreKnown) {

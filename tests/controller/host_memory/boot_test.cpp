@@ -167,7 +167,8 @@ int count_words_refused(Block<T> HostMemory::*block, BootProblem problem) {
   return refused;
 }
 TEST(Boot, ABadFlagOrEnumeratorIsNamed) {
-  EXPECT_EQ(count_words_refused<RobotModel>(&HostMemory::robot, BootProblem::kRobot), 6 + 1);  // homing, family
+  EXPECT_EQ(count_words_refused<RobotModel>(&HostMemory::robot, BootProblem::kRobot),
+            2 * 6 + 1);  // index, homing; family
   // Each word that is no part of an empty optional is read: those of the frames and tools are all has_value.
   EXPECT_GT(count_words_refused<ControllerConfig>(&HostMemory::config, BootProblem::kConfig), 17 + 64 + 8);
   EXPECT_EQ(count_words_refused<ProgramFiles>(&HostMemory::program, BootProblem::kProgram), 1);  // language

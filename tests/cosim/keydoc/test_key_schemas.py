@@ -77,6 +77,7 @@ ONLY_LOADER = re.compile(
             r"the time (of the change )?before",
             r"has no \[axis\.homing\]",
             r"unreferenced_start_deg: the variant paper",
+            r"not allowed with unreferenced_start_deg",
             r"(limit_switch_deg|homing\.position_deg): expected .* m(in|ax)_deg = ",
             r"needs (a key program,|program = )",
             r"gcode\.frame: a program needs",

@@ -19,6 +19,9 @@ def put_run(draft):
         draft.put("variant", "paper" if draft.paper else "counts")
     if not draft.paper:
         draft.maybe("unreferenced_start_deg", lambda: draft.per_axis(lambda: draft.number(-180, 180)), 0.05)
+    with draft.aside():
+        if "unreferenced_start_deg" not in draft.keys:
+            draft.maybe("moved_start_deg", lambda: draft.per_axis(lambda: draft.number(-10, 10)), 0.05)
     put_program(draft)
     if draft.paper and rng.random() < 0.7:
         draft.table("paper")
