@@ -13,6 +13,7 @@ FactsListener::FactsListener(const Scenario& scenario, SentBytes sent_bytes)
     : facts_{scenario.robot, scenario.expect.settled_counts, scenario.conveyor, CommandNames{scenario}},
       sent_bytes_{sent_bytes} {
   if (scenario.drop_out_us) facts_.set_drop_out(to_cycles(*scenario.drop_out_us * 1e-6));
+  if (scenario.moved_start_deg) facts_.set_moved_start(*scenario.moved_start_deg);
   if (scenario.robot.kinematics) tool_.emplace(scenario);
 }
 

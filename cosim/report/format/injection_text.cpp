@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <cstddef>
 #include <variant>
 
 #include "cosim/report/measure/fault_chain.hpp"
 #include "cosim/scenario/fault_text.hpp"
 #include "cosim/text/names.hpp"
+#include "cosim/text/number_text.hpp"
 #include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
@@ -53,7 +55,11 @@ std::string cause_text(const RunFacts& facts, const RunPlace& report) {
                         fault_duration_s(fault.spec.kind) ? "since" : "at", fault.when.at.value());
     if (fault.ended && *fault.ended <= report.at) text += fmt::format(" to cycle {}", fault.ended->value());
   }
-  return text.empty() ? "no fault of the scenario" : text;
+  if (!text.empty()) return text;
+  const double moved_deg = facts.moved_start_deg && report.axis > 0
+                               ? facts.moved_start_deg->at(static_cast<std::size_t>(report.axis - 1))
+                               : 0;
+  return moved_deg == 0 ? "no fault of the scenario" : fmt::format("moved_start_deg of {} deg", number_text(moved_deg));
 }
 
 std::string first_fault_text(const RunFacts& facts) {

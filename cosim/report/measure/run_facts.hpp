@@ -32,8 +32,9 @@ inline constexpr double kNoDeviationDeg = 6e-5;
 // "Reference" and "encoder" are the values of the controller, as golden traces show them. Both are in encoder counts;
 // the reference is rounded to whole pulses first.
 struct RunFacts {
-  std::size_t axis_count = kAxes;  // of the robot; the elements of the arrays for other axes are unused
-  std::int64_t ticks = 0;          // rows seen, one for each trigger
+  std::size_t axis_count = kAxes;                  // of the robot; the elements of the arrays for other axes are unused
+  std::optional<PerAxis<double>> moved_start_deg;  // of the scenario
+  std::int64_t ticks = 0;                          // rows seen, one for each trigger
   std::optional<RunPlace> first_trigger_at, last_trigger_at;
   // Of the whole simulation. The run (cosim/run) sets them at its end.
   Cycles cycles{};  // simulated
@@ -186,6 +187,8 @@ class RunFactsCollector {
   // The controller sends a byte, or a break, on the serial line.
   void add_serial(std::uint8_t byte, bool error, bool is_break);
 
+  // The controller takes the arm to be at 0, and it stands here.
+  void set_moved_start(const PerAxis<double>& deg) { facts_.moved_start_deg = deg; }
   // The relay of the servo power opens after this time.
   void set_drop_out(Cycles time) { facts_.stops.set_drop_out(time); }
 

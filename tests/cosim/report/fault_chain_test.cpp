@@ -49,6 +49,14 @@ TEST(FaultChain, TakesAFaultWithoutAnAxisBeforeThoseOfOtherAxes) {
   EXPECT_EQ(causes_of(facts, facts.faults[0].where)[0].when.at, Cycles{3'000});
 }
 
+TEST(FaultChain, BlamesAnAxisThatSomebodyHasMoved) {
+  RunFacts facts;
+  facts.faults = {reported(FaultCause::kEncoder, 3, 9'000), reported(FaultCause::kEncoder, 4, 9'000)};
+  facts.moved_start_deg = {0, 0, 2.5, 0, 0, 0};
+  EXPECT_EQ(cause_text(facts, facts.faults[0].where), "moved_start_deg of 2.5 deg");
+  EXPECT_EQ(cause_text(facts, facts.faults[1].where), "no fault of the scenario");
+}
+
 TEST(FaultChain, DoesNotBlameWhatWasOverBeforeAReset) {
   RunFacts facts;
   facts.injected_faults = {injected_at(2'000, kStuckB), injected_at(2'500, Estop{.duration_s = 1})};
