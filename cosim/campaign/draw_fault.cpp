@@ -27,7 +27,7 @@ const std::vector<KindKeys>& kinds() {
   static const std::vector<KindKeys> kKinds = [] {
     std::vector<KindKeys> all;
     for_each_kind<FaultKind>([&]<class Kind>(std::type_identity<Kind>) {
-      if (FaultOfFlop<Kind>) return;
+      if (FaultInside<Kind>) return;
       KindKeys kind{.name = fault_entry<Kind>().name, .keys = {}};
       for (const PlainKey& key : fault_entry<Kind>().keys.plain()) kind.keys.push_back(key.info);
       all.push_back(std::move(kind));

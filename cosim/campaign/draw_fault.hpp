@@ -11,7 +11,7 @@
 
 namespace armature::cosim {
 
-// The names of all kinds that need no flops, in the order of FaultKind.
+// The names of all kinds that need no inside of a part, in the order of FaultKind.
 [[nodiscard]] const std::vector<std::string_view>& fault_kind_names();
 
 // The keys of a table [[fault]] that begins at `at_s`. The loader may refuse them, as values can exclude each other.

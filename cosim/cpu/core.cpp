@@ -86,6 +86,12 @@ void Core::set_tick_compute(std::int64_t cycles) {
   takes_time_ = takes_time(spec_);
 }
 
+std::optional<std::uint64_t> Core::waiting_digest() const {
+  if (wait_ != Wait::kInterrupt) return std::nullopt;
+  return std::uint64_t{bits(mask_)} << 32 | std::uint64_t{bits(levels_)} << 2 | (event_ ? 2u : 0u) |
+         (event_sent_ ? 1u : 0u);
+}
+
 void Core::set_event(Cycles now) {
   event_ = true;
   wake_if_interrupted(now);

@@ -58,6 +58,9 @@ class Core final : private CoreBus {
   // True when this core has called send_event() since the last call.
   bool pop_event_sent();
 
+  // For what the core waits, and what has come meanwhile; none: it does not wait for an interrupt.
+  [[nodiscard]] std::optional<std::uint64_t> waiting_digest() const;
+
   // Sets the computation time of a tick from now on (fault script).
   void set_tick_compute(std::int64_t cycles);
 

@@ -76,6 +76,17 @@ void CoreProcessor::flip_astray(std::uint32_t addr, std::uint32_t mask) {
   stray_.push_back({.core = 1, .request = {.write = false, .addr = addr}, .stray = true, .flips = mask});
 }
 
+std::optional<std::uint64_t> CoreProcessor::digest() const {
+  std::optional<std::uint64_t> digest = program_->digest();
+  if (!stray_.empty()) return std::nullopt;
+  for (const Core& core : cores_) {
+    const std::optional<std::uint64_t> waiting = core.waiting_digest();
+    if (!digest || !waiting) return std::nullopt;
+    digest = (*digest ^ *waiting) * 0x9E37'79B9'7F4A'7C15;
+  }
+  return digest;
+}
+
 void CoreProcessor::stop_core_one(Cycles now) {
   cores_[1].halt(now);
 }

@@ -29,6 +29,9 @@ class CoreProcessor final : public Processor {
   void set_tick_compute(Cycles cost) override { cores_[0].set_tick_compute(cost.value()); }
   void write_astray(std::uint32_t addr, std::uint32_t data) override;
   void flip_astray(std::uint32_t addr, std::uint32_t mask) override;
+  const CoreMemory& memory() const override { return program_->memory(); }
+  void flip_memory(std::uint32_t addr, std::uint32_t mask) override { program_->flip_memory(addr, mask); }
+  std::optional<std::uint64_t> digest() const override;
   void stop_core_one(Cycles now) override;
   Cycles worst_tick(Cycles now) const override { return cores_[0].longest_awake(now); }
   void reset_worst_tick() override { cores_[0].reset_longest_awake(); }

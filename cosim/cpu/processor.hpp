@@ -12,6 +12,7 @@
 
 #include "controller/base/units.hpp"
 #include "cosim/bus/bus_access.hpp"
+#include "cosim/cpu/core_memory.hpp"
 #include "cosim/cpu/run_ahead.hpp"
 
 namespace armature::cosim {
@@ -70,6 +71,14 @@ class Processor {
 
   // The same with the word of this register, in which the bits of `mask` are inverted.
   virtual void flip_astray(std::uint32_t addr, std::uint32_t mask) = 0;
+
+  // The memory of the cores that flip_memory() can change.
+  [[nodiscard]] virtual const CoreMemory& memory() const = 0;
+  // Inverts the bits of `mask` in a word of it (fault script). From then on a core that cannot continue stops for good.
+  virtual void flip_memory(std::uint32_t addr, std::uint32_t mask) = 0;
+
+  // Of the state of cores that have a memory: two of them with equal digests go on equally. None: it is not known now.
+  [[nodiscard]] virtual std::optional<std::uint64_t> digest() const = 0;
 
   // Core 1 stops for good (fault script).
   virtual void stop_core_one(Cycles now) = 0;

@@ -115,6 +115,15 @@ void FaultInjector::set_brake(int axis) {
   targets_.plant.weaken_brake(index_of(axis), share, now_);
 }
 
+// Several torques add up.
+void FaultInjector::set_push(int axis) {
+  double torque_nm = 0;
+  active_.for_each<CollisionTorque>([&](const CollisionTorque& push) {
+    if (push.axis == axis) torque_nm += push.torque_nm;
+  });
+  targets_.plant.push(index_of(axis), torque_nm, now_);
+}
+
 void FaultInjector::start(const CoreOneStuck&) {
   targets_.processor.stop_core_one(now_);
 }
@@ -131,6 +140,13 @@ void FaultInjector::start(const RegisterFlip& fault) {
 void FaultInjector::start(const FlopFlip& fault) {
   if (!targets_.soc.flip(fault.flop, fault.bit)) throw std::invalid_argument{"no flop " + fault.flop};
   flops_flipped_ = true;
+}
+
+void FaultInjector::start(const MemoryFlip& fault) {
+  const auto address = targets_.processor.memory().word_at(fault.symbol, fault.offset);
+  if (!address) throw std::invalid_argument{"no memory at " + fault.symbol};
+  targets_.processor.flip_memory(*address, std::uint32_t{1} << fault.bit);
+  memory_flipped_ = true;
 }
 
 }  // namespace armature::cosim

@@ -70,7 +70,9 @@ class FaultInjector {
 
   // Whether a fault explains error responses of the bus to accesses of the program. Without such a fault they are an
   // error of the program.
-  [[nodiscard]] bool explains_bus_errors() const { return blocks_hang_ || bus_errs_ || flops_flipped_; }
+  [[nodiscard]] bool explains_bus_errors() const {
+    return blocks_hang_ || bus_errs_ || flops_flipped_ || memory_flipped_;
+  }
 
  private:
   // One start() for each kind, and one stop() for each kind with a duration. What a part asks for follows from the
@@ -87,10 +89,14 @@ class FaultInjector {
   void start(const BrakeSlip& fault) { set_brake(fault.axis); }
   void stop(const BrakeSlip& fault) { set_brake(fault.axis); }
   void set_brake(int axis);
+  void start(const CollisionTorque& fault) { set_push(fault.axis); }
+  void stop(const CollisionTorque& fault) { set_push(fault.axis); }
+  void set_push(int axis);
   void start(const CoreOneStuck& fault);
   void start(const SlaveError& fault);
   void start(const RegisterFlip& fault);
   void start(const FlopFlip& fault);
+  void start(const MemoryFlip& fault);
   template <AskedFor Kind>
   void start(const Kind&) {}
   template <AskedFor Kind>
@@ -114,6 +120,7 @@ class FaultInjector {
   std::vector<SlaveError> errors_;  // with the accesses that are left
   bool bus_errs_ = false;
   bool flops_flipped_ = false;
+  bool memory_flipped_ = false;
   bool clock_ran_ = true;
 };
 

@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "controller/base/timebase.hpp"
 #include "controller/board/mpcore.hpp"
 
 namespace armature::cosim::iss {
@@ -17,6 +18,11 @@ constexpr std::uint32_t kInstructionBytes = 4;  // in ARM state, which the firmw
 constexpr std::uint32_t kLastAddress = 0xFFFF'FFFF;
 constexpr std::uint64_t kNowhere = 0xFFFF'FFFE;  // no instruction is there
 constexpr std::uint32_t kThumbState = 1u << 5;   // of CPSR
+
+// Of the word: after a flip an address may have any value.
+RegAddr register_at(std::uint64_t offset) {
+  return {kLogicBase + static_cast<std::uint32_t>(offset & ~std::uint64_t{3})};
+}
 
 ArmCore& core(void* self) {
   return *static_cast<ArmCore*>(self);
@@ -40,7 +46,10 @@ ArmCore::ArmCore(int number, std::uint32_t charge, std::optional<double> cpi, Co
     check(uc_hook_add(engine_, &hook, UC_HOOK_MEM_READ | UC_HOOK_MEM_WRITE, data, this, 1, 0), "adds no hook");
   }
   // A call for each instruction would take three times as long.
-  if (cpi) add_hook(UC_HOOK_BLOCK, on_block, &time_.emplace(*cpi), 0, kLastAddress);
+  if (cpi) {
+    time_.emplace(*cpi);
+    add_hook(UC_HOOK_BLOCK, on_block, this, 0, kLastAddress);
+  }
   add_hook(UC_HOOK_CODE, on_charge, this, charge, charge);
 }
 
@@ -69,14 +78,32 @@ void ArmCore::run(std::uint32_t start, CoreBus& bus) {
   waits_ = false;
   if (time_) time_->reset();
   for (std::uint32_t next = start;; next = pc()) {
-    check(uc_emu_start(engine_, next, kNowhere, 0, 0), "fails");
+    const uc_err error = uc_emu_start(engine_, next, kNowhere, 0, 0);
     pass_time();
+    if (flipped_ && error != UC_ERR_OK) return;
+    check(error, "fails");
     waits_ = true;
     const Interrupts lines = bus.wait_for_interrupt(mpcore_.enabled());
     waits_ = false;
     if (lines == Interrupts::kNone) return;
     mpcore_.set_pending(lines);
   }
+}
+
+void ArmCore::memory_has_flipped(std::uint32_t address) {
+  flipped_ = true;
+  check(uc_ctl_remove_cache(engine_, address, address + kInstructionBytes), "forgets no code");
+}
+
+void ArmCore::add_to(StateDigest& digest) const {
+  constexpr int kGeneral = 13;
+  for (int i = 0; i < kGeneral; ++i) digest.add(read_register<std::uint32_t>(UC_ARM_REG_R0 + i));
+  for (const int name : {UC_ARM_REG_SP, UC_ARM_REG_LR, UC_ARM_REG_PC, UC_ARM_REG_CPSR, UC_ARM_REG_FPSCR}) {
+    digest.add(read_register<std::uint32_t>(name));
+  }
+  for (int name = UC_ARM_REG_D0; name <= UC_ARM_REG_D31; ++name) digest.add(read_register<std::uint64_t>(name));
+  digest.add(mpcore_.digest());
+  if (time_) digest.add(static_cast<std::uint64_t>(time_->rest()));
 }
 
 std::uint32_t ArmCore::pc() const {
@@ -97,8 +124,10 @@ void ArmCore::pass_time() {
   if (time_ && bus_ != nullptr) bus_->pass(time_->take());
 }
 
-void ArmCore::on_block(uc_engine*, std::uint64_t, std::uint32_t bytes, void* time) {
-  static_cast<InstructionTime*>(time)->count(bytes / kInstructionBytes);
+void ArmCore::on_block(uc_engine*, std::uint64_t, std::uint32_t bytes, void* self) {
+  ArmCore& one = core(self);
+  one.time_->count(bytes / kInstructionBytes);
+  if (one.flipped_ && one.time_->due() >= armature::kTickCycles) one.pass_time();
 }
 
 void ArmCore::on_watched(uc_engine*, std::uint64_t address, std::uint32_t, void* self) {
@@ -116,12 +145,12 @@ void ArmCore::on_data(uc_engine*, uc_mem_type type, std::uint64_t address, int s
 
 std::uint64_t ArmCore::read_logic(uc_engine*, std::uint64_t offset, unsigned, void* self) {
   core(self).pass_time();
-  return core(self).bus_->read32({kLogicBase + static_cast<std::uint32_t>(offset)});
+  return core(self).bus_->read32(register_at(offset));
 }
 
 void ArmCore::write_logic(uc_engine*, std::uint64_t offset, unsigned, std::uint64_t value, void* self) {
   core(self).pass_time();
-  core(self).bus_->write32({kLogicBase + static_cast<std::uint32_t>(offset)}, static_cast<std::uint32_t>(value));
+  core(self).bus_->write32(register_at(offset), static_cast<std::uint32_t>(value));
 }
 
 std::uint64_t ArmCore::read_mpcore(uc_engine*, std::uint64_t offset, unsigned, void* self) {
@@ -138,8 +167,9 @@ void ArmCore::on_charge(uc_engine*, std::uint64_t, std::uint32_t, void* self) {
   ArmCore& one = core(self);
   if (one.bus_ == nullptr) return;
   one.pass_time();
-  const auto work = static_cast<Work>(one.read_register<std::uint32_t>(UC_ARM_REG_R0));
-  one.bus_->charge(work, one.read_register<std::uint32_t>(UC_ARM_REG_R1));
+  const auto work = one.read_register<std::uint32_t>(UC_ARM_REG_R0);
+  if (one.flipped_ && work >= kWorks) return;
+  one.bus_->charge(static_cast<Work>(work), one.read_register<std::uint32_t>(UC_ARM_REG_R1));
 }
 
 }  // namespace armature::cosim::iss

@@ -17,6 +17,7 @@
 #include "cosim/iss/core_watcher.hpp"
 #include "cosim/iss/instruction_time.hpp"
 #include "cosim/iss/mpcore_model.hpp"
+#include "cosim/iss/state_digest.hpp"
 
 namespace armature::cosim::iss {
 
@@ -45,6 +46,10 @@ class ArmCore {
   // Executes from `start` for ever, on the fiber of the core. Returns when wait_for_interrupt() returns kNone.
   void run(std::uint32_t start, CoreBus& bus);
 
+  // A word of the memory has changed, which may be an instruction. From now on run() returns where the core cannot
+  // continue, and time passes in a loop that calls nothing.
+  void memory_has_flipped(std::uint32_t address);
+
   // Executed by run(), until the latest call of its bus; 0 if they are not counted.
   [[nodiscard]] std::int64_t instructions() const { return time_ ? time_->instructions() : 0; }
 
@@ -55,6 +60,8 @@ class ArmCore {
   // Simulated time begins here: before run() the registers show it.
   void set_start(std::uint32_t start) { write_register<std::uint32_t>(UC_ARM_REG_PC, start); }
   [[nodiscard]] int number() const { return number_; }
+  // Registers and interrupts, for a core that waits().
+  void add_to(StateDigest& digest) const;
   // Suspended in the WFI, behind which it continues, or before its start.
   [[nodiscard]] bool waits() const { return waits_; }
   // `Word`: of 32 bits, of the registers d0 to d31 of 64. Inside an access of the logic pc is not exact.
@@ -76,7 +83,7 @@ class ArmCore {
   static std::uint64_t read_mpcore(uc_engine*, std::uint64_t offset, unsigned, void* self);
   static void write_mpcore(uc_engine*, std::uint64_t offset, unsigned, std::uint64_t value, void* self);
   static void on_charge(uc_engine*, std::uint64_t address, std::uint32_t size, void* self);
-  static void on_block(uc_engine*, std::uint64_t address, std::uint32_t bytes, void* time);
+  static void on_block(uc_engine*, std::uint64_t address, std::uint32_t bytes, void* self);
   static void on_watched(uc_engine*, std::uint64_t address, std::uint32_t size, void* self);
   static void on_data(uc_engine*, uc_mem_type type, std::uint64_t address, int size, std::int64_t value, void* self);
 
@@ -92,6 +99,7 @@ class ArmCore {
   CoreBus* bus_ = nullptr;  // null: simulated time has not begun
   CoreWatcher* watcher_;
   bool waits_ = true;
+  bool flipped_ = false;
   std::optional<InstructionTime> time_;
 };
 

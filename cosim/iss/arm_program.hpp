@@ -28,11 +28,16 @@ class ArmProgram final : public CoreProgram {
     return cores_.at(static_cast<std::size_t>(core)).instructions();
   }
 
+  // After a flip a core ends where it cannot continue, and an endless loop takes time.
+  [[nodiscard]] const CoreMemory& memory() const override { return memory_; }
+  void flip_memory(std::uint32_t addr, std::uint32_t mask) override;
+  [[nodiscard]] std::optional<std::uint64_t> digest() const override;
+
   [[nodiscard]] bool may_run_ahead() const override { return !watched_; }
   // The number of a core: 0 or 1.
   [[nodiscard]] ArmCore& core(int number) { return cores_.at(static_cast<std::size_t>(number)); }
   // The memory that both cores have from this address on, up to the end of its piece. Empty: there is none.
-  [[nodiscard]] std::span<std::uint8_t> memory(std::uint32_t address) const;
+  [[nodiscard]] std::span<std::uint8_t> bytes_from(std::uint32_t address) const;
   // The instructions and constants of the firmware: code_begin() <= address < code_end().
   [[nodiscard]] std::uint32_t code_begin() const { return pieces_[0].address; }
   [[nodiscard]] std::uint32_t code_end() const { return code_end_; }
@@ -49,6 +54,7 @@ class ArmProgram final : public CoreProgram {
   ElfImage image_;
   Pages ddr_, on_chip_;
   std::array<MemoryPiece, 3> pieces_;
+  CoreMemory memory_;
   std::uint32_t code_end_;
   bool watched_;
   std::array<ArmCore, 2> cores_;

@@ -21,12 +21,15 @@ class ElfImage {
   explicit ElfImage(std::span<const std::uint8_t> file);
 
   [[nodiscard]] const std::vector<Segment>& segments() const { return segments_; }
+  // The addresses of the global symbols.
+  using Symbols = std::map<std::string, std::uint32_t, std::less<>>;
+  [[nodiscard]] const Symbols& symbols() const { return symbols_; }
   // The address of a symbol. Throws std::runtime_error when there is none.
   [[nodiscard]] std::uint32_t symbol(std::string_view name) const;
 
  private:
   std::vector<Segment> segments_;
-  std::map<std::string, std::uint32_t, std::less<>> symbols_;
+  Symbols symbols_;
 };
 
 }  // namespace armature::cosim::iss

@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <utility>
 
 #include "controller/base/units.hpp"
 
@@ -22,8 +21,15 @@ class InstructionTime {
   // The whole cycles of the logic that all instructions so far need and that were not taken before. The rest of a cycle
   // counts for the next ones.
   [[nodiscard]] Cycles take() {
-    const std::int64_t all = instructions_ * milli_cpi_ * kLogicClocks / (1000 * kCoreClocks);
-    return Cycles{all - std::exchange(taken_, all)};
+    const Cycles taken = due();
+    taken_ += taken.value();
+    return taken;
+  }
+  // What is left of a cycle that take() has not returned, in parts of a cycle.
+  [[nodiscard]] std::int64_t rest() const { return instructions_ * milli_cpi_ * kLogicClocks % (1000 * kCoreClocks); }
+  // What take() returns.
+  [[nodiscard]] Cycles due() const {
+    return Cycles{instructions_ * milli_cpi_ * kLogicClocks / (1000 * kCoreClocks) - taken_};
   }
 
  private:

@@ -19,6 +19,10 @@ class MpcoreModel {
   // What has ended the WFI is pending: a line until the next WFI, an event until it is acknowledged.
   void set_pending(Interrupts lines) { pending_ = lines; }
 
+  [[nodiscard]] std::uint64_t digest() const {
+    return std::uint64_t{static_cast<std::uint32_t>(enabled_)} << 32 | static_cast<std::uint32_t>(pending_);
+  }
+
  private:
   Interrupts enabled_ = Interrupts::kNone;  // lines of the logic
   Interrupts pending_ = Interrupts::kNone;

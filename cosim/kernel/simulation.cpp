@@ -44,7 +44,7 @@ Simulation::Simulation(const Scenario& scenario, std::unique_ptr<Soc> soc, Simul
       injector_{{.plant = plant_, .processor = *processor_, .soc = *soc_}, scenario.seed},
       wave_{std::move(wave)},
       longest_{to_cycles(scenario.duration_s)} {
-  for (const FaultSpec& fault : scenario.faults) require_flop(fault);
+  for (const FaultSpec& fault : scenario.faults) require_place(fault);
   processor_->run_ahead(*this);
   soc_->add_to_waves(software_.signals());
   if (scenario.conveyor) {

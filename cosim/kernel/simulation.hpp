@@ -98,6 +98,9 @@ class Simulation final : private RunAhead {
   // Of the logic, as of Soc.
   [[nodiscard]] std::vector<Flop> flops() { return soc_->flops(); }
   [[nodiscard]] std::uint64_t logic_digest() { return soc_->digest(); }
+  // Of the cores, as of Processor.
+  [[nodiscard]] const CoreMemory& core_memory() const { return processor_->memory(); }
+  [[nodiscard]] std::optional<std::uint64_t> core_digest() const { return processor_->digest(); }
   // Ends a run that is not over.
   void interrupt();
   [[nodiscard]] Cycles now() const { return soc_->now(); }
@@ -119,7 +122,7 @@ class Simulation final : private RunAhead {
   void show_interrupts();
   void after_fault();
   // Throws InputError if the logic does not have the flop of the fault.
-  void require_flop(const FaultSpec& fault) const;
+  void require_place(const FaultSpec& fault) const;
   Outcome noticed_access(const BusRequest& request, TimeAhead& time);
   Outcome continue_access(Soc::Progress progress, const BusRequest& request, TimeAhead& time);
   Outcome end_access(const Soc::Progress& progress, const BusRequest& request, TimeAhead& time);

@@ -17,6 +17,16 @@
 #include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
+namespace {
+
+std::string unknown_name(std::string_view expected, const std::string& found,
+                         const std::vector<std::string_view>& names) {
+  const std::string_view near = nearest_name(found, names);
+  const std::string hint = near.empty() ? std::string{} : fmt::format(", did you mean \"{}\"?", near);
+  return fmt::format("expected {}, found \"{}\"{}", expected, found, hint);
+}
+
+}  // namespace
 
 void Simulation::act(const ScriptAction& action) {
   listener_.on_action(action, now());
@@ -56,23 +66,33 @@ void Simulation::act(const ScriptAction& action) {
       action);
 }
 
-void Simulation::require_flop(const FaultSpec& fault) const {
-  const auto* flip = std::get_if<FlopFlip>(&fault.kind);
-  if (flip == nullptr) return;
-  const std::vector<Flop> flops = soc_->flops();
-  const auto found = std::ranges::find(flops, flip->flop, &Flop::name);
+// The flop or the word of memory of a fault.
+void Simulation::require_place(const FaultSpec& fault) const {
   const auto fail = [&](std::string_view key, std::string message) {
     throw InputError{Problem{.file = scenario_.file,
                              .origin = {.line = fault.line, .column = 1, .override_text = {}},
                              .key = std::string{key},
                              .message = std::move(message)}};
   };
+  if (const auto* flip = std::get_if<MemoryFlip>(&fault.kind)) {
+    const CoreMemory& memory = processor_->memory();
+    if (!memory.symbols.contains(flip->symbol)) {
+      std::vector<std::string_view> names(memory.symbols.size());
+      std::ranges::transform(memory.symbols, names.begin(),
+                             [](const auto& symbol) { return std::string_view{symbol.first}; });
+      fail("symbol", unknown_name("a global symbol of the firmware", flip->symbol, names));
+    }
+    if (memory.word_at(flip->symbol, flip->offset)) return;
+    fail("offset", fmt::format("expected a place in the memory of the cores, found {}", flip->offset));
+  }
+  const auto* flip = std::get_if<FlopFlip>(&fault.kind);
+  if (flip == nullptr) return;
+  const std::vector<Flop> flops = soc_->flops();
+  const auto found = std::ranges::find(flops, flip->flop, &Flop::name);
   if (found == flops.end()) {
     std::vector<std::string_view> names(flops.size());
     std::ranges::transform(flops, names.begin(), &Flop::name);
-    const std::string_view near = nearest_name(flip->flop, names);
-    fail("flop", fmt::format("expected a flop that 'armature flops' lists, found \"{}\"{}", flip->flop,
-                             near.empty() ? "" : fmt::format(", did you mean \"{}\"?", near)));
+    fail("flop", unknown_name("a flop that 'armature flips' lists", flip->flop, names));
   }
   if (flip->bit >= found->bits) fail("bit", fmt::format("expected 0 to {}, found {}", found->bits - 1, flip->bit));
 }

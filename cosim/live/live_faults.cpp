@@ -62,7 +62,7 @@ void set(ConfigValue& table, std::string key, ConfigValue::Data value) {
 Json fault_kinds_json(const RobotSpec& robot) {
   Json kinds = Json::array();
   for_each_kind<FaultKind>([&]<class Kind>(std::type_identity<Kind>) {
-    if (FaultOfFlop<Kind>) return;  // there are too many to choose from
+    if (FaultInside<Kind>) return;  // there are too many to choose from
     const FaultEntry<Kind>& entry = fault_entry<Kind>();
     Json keys = Json::array();
     for (const PlainKey& key : entry.keys.plain()) keys.push_back(key_json(key.info, robot));
@@ -80,7 +80,13 @@ FaultSpec read_fault(ConfigValue table, const Scenario& scenario, Cycles now) {
   const ScenarioRobot robot{.spec = &scenario.robot, .file = scenario.robot_name};
   fault_keys().read(reader, {.robot = robot, .scenario = &scenario}, fault);
   if (fault.when != FaultWhen::kTime) throw MessageError{"fault: it begins now and waits for nothing, see \"when\""};
-  if (std::holds_alternative<FlopFlip>(fault.kind)) throw MessageError{"fault: flop_flip is for scenarios only"};
+  std::visit(
+      []<class Kind>(const Kind&) {
+        if (FaultInside<Kind>) {
+          throw MessageError{fmt::format("fault: {} is for scenarios only", fault_entry<Kind>().name)};
+        }
+      },
+      fault.kind);
   reader.finish();
   std::vector<Problem> found;
   problems.move_to(found);

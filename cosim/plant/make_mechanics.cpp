@@ -27,6 +27,10 @@ class DynamicAxes final : public Mechanics {
     arm_.weaken_brake(axis, share);
     return true;
   }
+  bool push(std::size_t axis, double torque_nm) override {
+    arm_.push(axis, torque_nm);
+    return true;
+  }
   [[nodiscard]] std::uint8_t overloaded() const override { return arm_.overloaded(); }
   void keep() override { arm_.keep(); }
   void take_back() override { arm_.take_back(); }

@@ -71,6 +71,9 @@ class Mechanics {
   // Fault script: the holding brake of this motor has this share of its torque, 0..1. Returns false if it has none.
   virtual bool weaken_brake(std::size_t /*axis*/, double /*share*/) { return false; }
 
+  // Fault script: this torque acts on the joint, behind its gear [N m]. Returns false if it has no gear.
+  virtual bool push(std::size_t /*axis*/, double /*torque_nm*/) { return false; }
+
   // Controlled drives whose overload alarm has tripped in a step, one bit each. Their bits stay until they are not
   // controlled any more.
   [[nodiscard]] virtual std::uint8_t overloaded() const { return 0; }

@@ -96,6 +96,12 @@ void Plant::weaken_brake(std::size_t axis, double share, Cycles now) {
   wake(now);
 }
 
+void Plant::push(std::size_t axis, double torque_nm, Cycles now) {
+  if (!mechanics_->push(axis, torque_nm)) return;
+  moving_ |= bit_of(axis);
+  wake(now);
+}
+
 void Plant::advance(Cycles now) {
   if (now < next_event_) return;
   if (now > next_event_) {

@@ -73,6 +73,8 @@ class Plant {
   void unblock(std::size_t axis);
   // Fault script: the holding brake of the axis has this share of its torque, of a plant that has brakes.
   void weaken_brake(std::size_t axis, double share, Cycles now);
+  // Fault script: this torque acts on the joint [N m], of a plant whose joints are behind gears.
+  void push(std::size_t axis, double torque_nm, Cycles now);
   // Whether the index would be high with the encoder so many counts further.
   [[nodiscard]] bool shows_index(std::size_t axis, Counts further) const {
     return encoders_[axis].z(encoders_[axis].count() + further);

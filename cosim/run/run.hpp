@@ -63,6 +63,8 @@ class Run final : private SimulationListener {
   void end_fault(const FaultSpec& fault) { simulation_.end_fault(fault); }
   [[nodiscard]] std::vector<Flop> flops() { return simulation_.flops(); }
   [[nodiscard]] std::uint64_t logic_digest() { return simulation_.logic_digest(); }
+  [[nodiscard]] const CoreMemory& core_memory() const { return simulation_.core_memory(); }
+  [[nodiscard]] std::optional<std::uint64_t> core_digest() const { return simulation_.core_digest(); }
   void write_wave(WaveRequest wave) { simulation_.write_wave(std::move(wave)); }
   void close_wave() { simulation_.close_wave(); }
 

@@ -165,7 +165,8 @@ void ServoArm::turn_motor(std::size_t pair, WholePair controlled, Pair load) {
 bool ServoArm::turn_loads(const std::array<Pair, kAxisPairs>& gears) {
   AxisNumbers torque;
   for (std::size_t i = 0; i < kAxisPairs; ++i) {
-    torque.set_pair(i, gears[i] - state_.load.bias.pair(i) - numbers_.bearing.pair(i) * state_.load_speed.pair(i));
+    const Pair drag = numbers_.bearing.pair(i) * state_.load_speed.pair(i);
+    torque.set_pair(i, gears[i] - state_.load.bias.pair(i) - drag + pushed_.pair(i));
   }
   WholePair moves{};
   for (std::size_t i = 0; i < kAxisPairs; ++i) {

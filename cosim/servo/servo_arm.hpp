@@ -50,6 +50,9 @@ class ServoArm {
     if (state_.braking[axis] != 0.0) state_.braking[axis] = numbers_.holding[axis] * share;
   }
 
+  // This torque acts on the joint, behind its gear [N m] (fault script).
+  void push(std::size_t axis, double torque_nm) { pushed_[axis] = torque_nm; }
+
   // keep() marks this moment; take_back() returns to it.
   void keep() { kept_ = state_; }
   void take_back() { state_ = kept_; }
@@ -96,6 +99,7 @@ class ServoArm {
   LoadSide arm_;
   int renewal_;
   std::uint8_t blocked_ = 0;  // one bit per axis
+  AxisNumbers pushed_;        // [N m]
   PerAxis<double> brake_share_{1, 1, 1, 1, 1, 1};
   State state_, kept_;
 };

@@ -156,7 +156,7 @@ COSIM = {
     "snapshot": {"net"},
     "serve": {"text", "net", "logic", "soc"},
 }
-COSIM["flops"] = COSIM["campaign"] | {"campaign", "snapshot", "net"}
+COSIM["flips"] = COSIM["campaign"] | {"campaign", "cpu", "snapshot", "net"}
 COSIM["rewind"] = COSIM["run"] | {"run", "logic", "snapshot"}
 COSIM["live"] = COSIM["run"] | {"run", "robot", "mesh", "programs", "poses", "logic", "fault", "pendant", "page"}
 COSIM["live"] |= {"snapshot"}

@@ -167,25 +167,17 @@ void print_only(const CampaignOptions& given, const CampaignResult& result) {
   std::cout << printable_lines(fmt::format("to see it: armature run {}\n", shell_word(kept.string())));
 }
 
-int merge_tables(const CampaignOptions& given, const SearchPath& path) {
-  std::optional<CampaignTable> merged;
-  for (const std::filesystem::path& file : given.merge) {
-    const CampaignTable table = campaign_table(read_text_file(file, kMaxTableBytes), file.string());
-    if (merged) {
-      merged->merge(table, file.string());
-    } else {
-      merged = table;
-    }
-  }
+int merge_shards(const CampaignOptions& given, const SearchPath& path) {
+  const CampaignTable merged = merged_tables(given.merge, campaign_table);
   CampaignOptions of_table = given;
-  of_table.seed = merged->head.seed;
-  of_table.engine = enumerator_of<Engine>(merged->head.engine);
-  if (merged->head.robots != default_robots(path)) of_table.robots = merged->head.robots;
+  of_table.seed = merged.head.seed;
+  of_table.engine = enumerator_of<Engine>(merged.head.engine);
+  if (merged.head.robots != default_robots(path)) of_table.robots = merged.head.robots;
   const std::string replay = replay_command(of_table);
-  write_results(given, *merged, replay);
-  print_table(given, *merged, replay);
-  if (!merged->is_complete()) std::cerr << fmt::format("{} runs are missing\n", merged->head.runs - merged->done);
-  return merged->silent.empty() && merged->is_complete() ? kExitOk : kExitCheckFailed;
+  write_results(given, merged, replay);
+  print_table(given, merged, replay);
+  if (!merged.is_complete()) std::cerr << fmt::format("{} runs are missing\n", merged.head.runs - merged.done);
+  return merged.silent.empty() && merged.is_complete() ? kExitOk : kExitCheckFailed;
 }
 
 void claim_outputs(const CampaignOptions& given) {
@@ -198,7 +190,7 @@ void claim_outputs(const CampaignOptions& given) {
 
 int run_campaign(const CampaignOptions& given, const SearchPath& path) {
   claim_outputs(given);
-  if (!given.merge.empty()) return merge_tables(given, path);
+  if (!given.merge.empty()) return merge_shards(given, path);
   const Shard shard = shard_of(given.shard);
   const CampaignSpec spec = campaign_spec(given, path);
   catch_interrupts();

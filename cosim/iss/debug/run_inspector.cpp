@@ -101,7 +101,7 @@ DebugAnswer RunInspector::write_register(const DebugRequest& request) {
 
 DebugAnswer RunInspector::read(const DebugRequest& request) {
   DebugAnswer answer;
-  const std::span<const std::uint8_t> memory = program_.memory(request.address);
+  const std::span<const std::uint8_t> memory = program_.bytes_from(request.address);
   answer.size = static_cast<std::uint32_t>(std::min<std::size_t>(memory.size(), request.size));
   std::copy_n(memory.begin(), answer.size, answer.bytes.begin());
   if (memory.empty()) read_logic(request, answer);
@@ -125,7 +125,7 @@ void RunInspector::read_logic(const DebugRequest& request, DebugAnswer& answer) 
 }
 
 DebugAnswer RunInspector::write(const DebugRequest& request) {
-  const std::span<std::uint8_t> memory = program_.memory(request.address);
+  const std::span<std::uint8_t> memory = program_.bytes_from(request.address);
   const bool is_code = request.address >= program_.code_begin() && request.address < program_.code_end();
   if (memory.size() < request.size || is_code) return {.done = false};
   std::copy_n(request.bytes.begin(), request.size, memory.begin());

@@ -120,8 +120,7 @@ Scenario load_scenario(const fs::path& where, const LoadOptions& options) {
   const std::vector<std::string_view> bad = read_scenario_keys(root, scenario);
   std::vector<Problem> robot_problems;
   const ScenarioRobot robot = load_named_robot(scenario, options, root, robot_problems);
-  read_scenario_tables(root, bad, robot, options.logic, scenario);
-  scenario.cpu.processor = options.processor.value_or(scenario.cpu.processor);
+  read_scenario_tables(root, bad, robot, options.logic, options.processor, scenario);
   std::vector<Problem> program_problems;
   if (problems.size() == 0 && robot_problems.empty()) load_program(scenario, root, program_problems);
 

@@ -54,8 +54,8 @@ std::vector<std::string_view> read_scenario_keys(TableReader& root, Scenario& sc
 }
 
 void read_scenario_tables(TableReader& root, const std::vector<std::string_view>& bad, const ScenarioRobot& robot,
-                          const LogicChoice& chosen, Scenario& scenario) {
-  KeyContext context{.robot = robot, .scenario = &scenario};
+                          const LogicChoice& chosen, std::optional<CpuKind> processor, Scenario& scenario) {
+  KeyContext context{.robot = robot, .scenario = &scenario, .processor = processor};
   const Variant written = scenario.variant;
   scenario.variant = chosen.variant.value_or(written);
   scenario.engine = chosen.engine.value_or(scenario.engine);
@@ -63,6 +63,7 @@ void read_scenario_tables(TableReader& root, const std::vector<std::string_view>
 
   scenario_keys().count_elements(bad, root, context, scenario);
   scenario_keys().read_tables(root, context, scenario);
+  scenario.cpu.processor = processor.value_or(scenario.cpu.processor);
   if (scenario.pendant && !scenario.serial) scenario.serial.emplace();
   require_no_pendant(root, scenario);
   if (scenario.variant == Variant::kPaper) scenario.controller.feedback = false;

@@ -1,6 +1,7 @@
 // A parsed scenario file into a Scenario. tables/ has the keys.
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -14,8 +15,8 @@ namespace armature::cosim {
 std::vector<std::string_view> read_scenario_keys(TableReader& root, Scenario& scenario);
 
 // The tables of the file, after its keys, of which `bad` were missing or wrong. `chosen` replaces the keys `variant`
-// and `engine`. Keys of the other variant then have no effect and are not a problem.
+// and `engine`, `processor` that of [cpu]. Keys of the other variant then have no effect and are not a problem.
 void read_scenario_tables(TableReader& root, const std::vector<std::string_view>& bad, const ScenarioRobot& robot,
-                          const LogicChoice& chosen, Scenario& scenario);
+                          const LogicChoice& chosen, std::optional<CpuKind> processor, Scenario& scenario);
 
 }  // namespace armature::cosim

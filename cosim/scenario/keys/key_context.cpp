@@ -40,6 +40,8 @@ bool KeyContext::has(Needs needs) const {
       return scenario != nullptr && has_program(*scenario, ProgramLanguage::kJob);
     case Needs::kFlops:
       return scenario != nullptr && scenario->engine == Engine::kRtl;
+    case Needs::kMemory:
+      return scenario != nullptr && processor.value_or(scenario->cpu.processor) == CpuKind::kA9 && scenario->cpu.cpi;
     case Needs::kNothing:
       break;
   }

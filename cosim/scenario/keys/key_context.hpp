@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
+#include "cosim/cpu/cpu_spec.hpp"
 #include "cosim/robot/robot_spec.hpp"
 #include "cosim/scenario/keys/key_info.hpp"
 
@@ -25,6 +27,7 @@ struct KeyContext {
   ScenarioRobot robot{};
   const Scenario* scenario = nullptr;  // the part that was read so far; nullptr for a robot file
   bool paper_keys = false;             // keys of the paper's variant are allowed
+  std::optional<CpuKind> processor{};  // chosen in place of that of [cpu]
 
   [[nodiscard]] bool has(Needs needs) const;
   // The message when something is needed and missing; empty when it is there.

@@ -22,6 +22,9 @@ std::string needs_text(Needs needs, std::string_view robot_file, std::string_vie
           "{0}program = \"NAME.jbi\"{0}, or a .jbi file that the pendant sends (a live one: {0}[pendant]{0})", quote);
     case Needs::kFlops:
       return fmt::format("{0}engine = \"rtl\"{0}, as only the RTL has flops", quote);
+    case Needs::kMemory:
+      return fmt::format("{0}processor = \"a9\"{0} and {0}cpi{0} in {0}[cpu]{0}, as only these cores have a memory",
+                         quote);
     case Needs::kNothing:
       break;
   }

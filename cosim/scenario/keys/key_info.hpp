@@ -21,6 +21,7 @@ enum class Needs {
   kGcode,       // a program in G-code
   kJob,         // a robot program
   kFlops,       // engine = "rtl"
+  kMemory,      // of the cores: processor = "a9" with cpi
 };
 // `[kinematics] in FILE`: what is needed. `robot_file` names the file of the robot, and `quote` is put around names
 // that are written in a file. Empty for kNothing.

@@ -18,6 +18,7 @@ namespace armature::cosim {
 
 inline constexpr double kMaxWord = 0xFFFF'FFFF;
 inline constexpr double kMaxFlopBits = 256;  // no flop has more
+inline constexpr double kMaxTorqueNm = 10'000;
 
 template <class Kind>
 struct FaultEntry {

@@ -174,13 +174,38 @@ template <>
 }
 
 template <>
+[[nodiscard]] inline const FaultEntry<MemoryFlip>& fault_entry<MemoryFlip>() {
+  static const FaultEntry<MemoryFlip> kEntry{
+      .name = "memory_flip",
+      .text = "a bit of the memory of the cores flips",
+      .keys = {key("symbol", &MemoryFlip::symbol, anything(),
+                   "Global symbol of the firmware (`controller.elf`), such as `armature_charge`, `page_table`, or "
+                   "`host_memory`, the memory that the controller shares with its host.")
+                   .required()
+                   .needs(Needs::kMemory),
+               key("offset", &MemoryFlip::offset, between(-kMaxWord, kMaxWord, "bytes"),
+                   "Place of the word behind the symbol, a multiple of 4.")
+                   .checked([](MemoryFlip& fault, const KeyContext&) {
+                     return fault.offset % 4 == 0 ? std::string{}
+                                                  : fmt::format("expected a multiple of 4, found {}", fault.offset);
+                   }),
+               key("bit", &MemoryFlip::bit, between(0, 31), "Number of the bit of the word.").required()},
+      .details =
+          [](const MemoryFlip& fault) {
+            return fmt::format(" of bit {} at {}+{}", fault.bit, fault.symbol, fault.offset);
+          },
+  };
+  return kEntry;
+}
+
+template <>
 [[nodiscard]] inline const FaultEntry<FlopFlip>& fault_entry<FlopFlip>() {
   static const FaultEntry<FlopFlip> kEntry{
       .name = "flop_flip",
       .text = "a bit of a flop of the logic flips between two clock edges",
       .keys = {key("flop", &FlopFlip::flop, anything(),
                    "Name of the flop below the top module, as in a waveform: `u_axi_timer.u_core.enall_q`. "
-                   "`armature flops` lists them.")
+                   "`armature flips` lists them.")
                    .required()
                    .needs(Needs::kFlops),
                key("bit", &FlopFlip::bit, between(0, kMaxFlopBits - 1), "Number of the bit of the flop.").required()},

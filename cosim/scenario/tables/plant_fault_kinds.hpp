@@ -64,4 +64,27 @@ template <>
   return kEntry;
 }
 
+template <>
+[[nodiscard]] inline const FaultEntry<CollisionTorque>& fault_entry<CollisionTorque>() {
+  static const FaultEntry<CollisionTorque> kEntry{
+      .name = "collision_torque",
+      .text =
+          "something pushes against a joint, behind its gear. Only joints with `plant = \"dynamic\"` are behind a gear",
+      .keys = {axis_key<CollisionTorque>(),
+               key("torque_nm", &CollisionTorque::torque_nm, between(-kMaxTorqueNm, kMaxTorqueNm, "N m"),
+                   "The torque on the joint, in its positive direction.")
+                   .required()
+                   .checked([](CollisionTorque& fault, const KeyContext&) {
+                     return fault.torque_nm != 0 ? std::string{} : "expected a torque that is not 0";
+                   }),
+               duration_key<CollisionTorque>()},
+      .details =
+          [](const CollisionTorque& fault) {
+            return fmt::format(" of axis {}, {} N m", fault.axis, number_text(fault.torque_nm)) +
+                   duration_details(fault);
+          },
+  };
+  return kEntry;
+}
+
 }  // namespace armature::cosim

@@ -78,7 +78,7 @@ TEST(CampaignDraw, DrawsEveryKindOfFaultWithValuesThatTheLoaderTakes) {
 TEST(CampaignDraw, KnowsAllKinds) {
   std::size_t count = 0;
   for_each_kind<FaultKind>([&]<class Kind>(std::type_identity<Kind>) {
-    if (FaultOfFlop<Kind>) return;
+    if (FaultInside<Kind>) return;
     EXPECT_EQ(fault_kind_names().at(count++), fault_kind_name(Kind{}));
   });
   EXPECT_EQ(fault_kind_names().size(), count);

@@ -27,11 +27,15 @@ class FaultyProcessor final : public Processor {
   std::vector<Cycles> tick_compute;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> stray_writes;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> flips;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> memory_flips;
+  CoreMemory core_memory{.parts = {{"part", 0x100, 0x10}}, .symbols = {{"here", 0x100}}};
   std::optional<Cycles> core_one_stopped;
 
   void set_tick_compute(Cycles cost) override { tick_compute.push_back(cost); }
   void write_astray(std::uint32_t addr, std::uint32_t data) override { stray_writes.emplace_back(addr, data); }
   void flip_astray(std::uint32_t addr, std::uint32_t mask) override { flips.emplace_back(addr, mask); }
+  const CoreMemory& memory() const override { return core_memory; }
+  void flip_memory(std::uint32_t addr, std::uint32_t mask) override { memory_flips.emplace_back(addr, mask); }
   void stop_core_one(Cycles now) override { core_one_stopped = now; }
 
   void run_ahead(RunAhead&) override { ADD_FAILURE(); }
@@ -46,6 +50,7 @@ class FaultyProcessor final : public Processor {
   void reset_worst_tick() override { ADD_FAILURE(); }
   std::int64_t instructions(int) const override { return 0; }
   Cycles awake(int, Cycles) const override { return {}; }
+  std::optional<std::uint64_t> digest() const override { return std::nullopt; }
   CoreState core_state(int) const override { return {}; }
 };
 
@@ -182,6 +187,14 @@ TEST(FaultInjector, FlipsABitOfARegister) {
   Bench bench;
   bench.injector.begin(RegisterFlip{.address = 0x4280'0000, .bit = 31}, kNow);
   EXPECT_EQ(bench.processor.flips, (std::vector<std::pair<std::uint32_t, std::uint32_t>>{{0x4280'0000, 1u << 31}}));
+  EXPECT_TRUE(bench.injector.is_quiet());
+}
+
+TEST(FaultInjector, FlipsABitOfTheMemoryOfTheCores) {
+  Bench bench;
+  bench.injector.begin(MemoryFlip{.symbol = "here", .offset = 8, .bit = 5}, kNow);
+  EXPECT_EQ(bench.processor.memory_flips, (std::vector<std::pair<std::uint32_t, std::uint32_t>>{{0x108, 1u << 5}}));
+  EXPECT_TRUE(bench.injector.explains_bus_errors());
   EXPECT_TRUE(bench.injector.is_quiet());
 }
 

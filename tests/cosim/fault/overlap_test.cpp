@@ -31,7 +31,8 @@ constexpr int kOfAKind = 5;  // draws
 template <class Kind>
 constexpr bool kAddsUp =
     std::same_as<Kind, EncoderSwapped> || std::same_as<Kind, EncoderChatter> || std::same_as<Kind, EncoderNoise> ||
-    std::same_as<Kind, SwitchBounce> || std::same_as<Kind, UartNoise> || std::same_as<Kind, SlowSlave>;
+    std::same_as<Kind, SwitchBounce> || std::same_as<Kind, UartNoise> || std::same_as<Kind, SlowSlave> ||
+    std::same_as<Kind, CollisionTorque>;
 
 template <class Kind>
 constexpr bool kIsAsOne = FaultWithDuration<Kind> && !kAddsUp<Kind>;

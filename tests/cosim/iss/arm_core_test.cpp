@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "controller/base/timebase.hpp"
 #include "cosim/iss/firmware.hpp"
 #include "tests/cosim/iss/scripted_bus.hpp"
 
@@ -32,6 +33,11 @@ class Program {
   }
   [[nodiscard]] MemoryPiece memory() { return {kCode, page_.data(), sizeof page_}; }
   [[nodiscard]] std::uint32_t word(std::size_t i) const { return page_.at(i); }
+  void set(std::size_t i, std::uint32_t word) { page_.at(i) = word; }
+  void flip(ArmCore& core, std::size_t i, std::uint32_t mask) {
+    page_.at(i) ^= mask;
+    core.memory_has_flipped(kCode + 4 * static_cast<std::uint32_t>(i));
+  }
 
  private:
   alignas(4096) std::array<std::uint32_t, 1024> page_{};
@@ -130,6 +136,95 @@ TEST(ArmCore, AnUndefinedInstructionEndsItWithItsPlace) {
     EXPECT_THAT(error.what(), HasSubstr("core 1"));
     EXPECT_THAT(error.what(), HasSubstr("0x10000"));
   }
+}
+
+// ---- after a flip of the memory
+
+TEST(ArmCore, ExecutesAnInstructionThatHasFlippedAfterItsFirstExecution) {
+  Program program{{
+      0xe3a00443,  // mov  r0, #0x43000000
+      0xe5801008,  // str  r1, [r0, #8]
+      0xe320f003,  // wfi
+  }};
+  ArmCore core{0, kCharge, 1.5};
+  core.map(program.memory());
+  ScriptedBus bus;
+  core.run(kCode, bus);
+  program.flip(core, 1, 4);  // str r1, [r0, #12]
+  core.run(kCode, bus);
+  EXPECT_THAT(bus.writes, ElementsAre(Pair(0x4300'0008u, 0u), Pair(0x4300'000cu, 0u)));
+}
+
+TEST(ArmCore, EndsWhereItCannotContinue) {
+  constexpr std::uint32_t kUndefined = 0xe7f000f0;
+  constexpr std::uint32_t kSupervisorCall = 0xef000000;
+  constexpr std::uint32_t kLoadsFromNowhere = 0xe5921000;  // ldr r1, [r2]
+  constexpr std::uint32_t kJumpsToNowhere = 0xe12fff12;    // bx r2
+  for (const std::uint32_t instruction : {kUndefined, kSupervisorCall, kLoadsFromNowhere, kJumpsToNowhere}) {
+    Program program{{
+        0xe3a00443,  // mov  r0, #0x43000000
+        0xe3a02102,  // mov  r2, #0x80000000
+        instruction,
+        0xe5801008,  // str  r1, [r0, #8]
+        0xe320f003,  // wfi
+    }};
+    ArmCore core{0, kCharge, 1.5};
+    core.map(program.memory());
+    program.flip(core, 100, 1);
+    ScriptedBus bus;
+    core.run(kCode, bus);
+    EXPECT_TRUE(bus.writes.empty()) << instruction;
+    EXPECT_TRUE(bus.waits.empty()) << instruction;
+  }
+}
+
+TEST(ArmCore, ALoopThatCallsNothingTakesTime) {
+  Program program{{
+      0xe59f1008,  // ldr r1, [pc, #8]
+      0xe3510000,  // cmp r1, #0
+      0x0afffffc,  // beq to the first one
+      0xe320f003,  // wfi
+      0x00000000,
+  }};
+  ArmCore core{0, kCharge, 1.5};
+  core.map(program.memory());
+  program.flip(core, 100, 1);
+  ScriptedBus bus;
+  bus.on_pass = [&] {
+    if (bus.cycle > 100 * kTickCycles.value()) program.set(4, 1);
+  };
+  core.run(kCode, bus);
+  EXPECT_GT(bus.cycle, 100 * kTickCycles.value());
+  EXPECT_EQ(bus.waits.size(), 1U);
+}
+
+TEST(ArmCore, ChargesNoWorkThatThereIsNot) {
+  Program program{{
+      0xe3a0002a,  // mov r0, #42
+      0xeb0001fd,  // bl  kCharge
+      0xe320f003,  // wfi
+  }};
+  ArmCore core{0, kCharge, 1.5};
+  core.map(program.memory());
+  program.flip(core, 100, 1);
+  ScriptedBus bus;
+  core.run(kCode, bus);
+  EXPECT_TRUE(bus.charges.empty());
+}
+
+TEST(ArmCore, AccessesAWholeRegisterAtAnyAddress) {
+  Program program{{
+      0xe3a00443,  // mov  r0, #0x43000000
+      0xe5d01005,  // ldrb r1, [r0, #5]
+      0xe5c0100a,  // strb r1, [r0, #10]
+      0xe320f003,  // wfi
+  }};
+  ArmCore core{0, kCharge, 1.5};
+  core.map(program.memory());
+  ScriptedBus bus;
+  core.run(kCode, bus);
+  EXPECT_THAT(bus.reads, ElementsAre(0x4300'0004u));
+  EXPECT_THAT(bus.writes, ElementsAre(Pair(0x4300'0008u, 5u)));
 }
 
 #if UC_API_MAJOR == 2 && UC_API_MINOR == 0

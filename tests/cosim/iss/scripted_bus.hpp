@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct ScriptedBus final : CoreBus {
   std::vector<std::int64_t> times;  // cycles at each read, charge and wait
   std::vector<Interrupts> waits;    // masks
   std::deque<Interrupts> wakes_by;  // what the waits return; then kNone
+  std::function<void()> on_pass = [] {};
 
   std::uint32_t read32(RegAddr addr) noexcept override {
     reads.push_back(addr.value);
@@ -36,7 +38,10 @@ struct ScriptedBus final : CoreBus {
   }
   void send_event() noexcept override { ++events; }
   Cycles now() noexcept override { return Cycles{cycle}; }
-  void pass(Cycles duration) noexcept override { cycle += duration.value(); }
+  void pass(Cycles duration) noexcept override {
+    cycle += duration.value();
+    on_pass();
+  }
   void charge(Work work, std::int64_t count) noexcept override {
     charges.emplace_back(work, count);
     times.push_back(cycle);

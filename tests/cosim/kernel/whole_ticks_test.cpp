@@ -278,11 +278,12 @@ FaultKind random_kind(SplitMix& random) {
       StrayWrite{.address = 0x4280'0000, .data = 0},
       RegisterFlip{.address = 0x43C1'0014, .bit = static_cast<int>(random.below(32))},
       BrakeSlip{.axis = axis, .share = 0.5, .duration_s = duration_s},
+      CollisionTorque{.axis = axis, .torque_nm = 30, .duration_s = duration_s},
       UartBreak{.duration_s = duration_s},
       UartNoise{.width_us = us, .mean_gap_us = 10 * us, .duration_s = duration_s},
       UartOverrun{.duration_s = duration_s}};
-  constexpr std::size_t kOfFlops = 1;  // the model has none
-  EXPECT_EQ(kinds.size(), std::variant_size_v<FaultKind> - kOfFlops) << "a kind is not drawn";
+  constexpr std::size_t kInside = 2;  // of FaultInside
+  EXPECT_EQ(kinds.size(), std::variant_size_v<FaultKind> - kInside) << "a kind is not drawn";
   return kinds[random.below(static_cast<std::uint32_t>(kinds.size()))];
 }
 

@@ -72,6 +72,8 @@ ONLY_LOADER = re.compile(
             r"a robot with six axes",
             r"can(not)? move with the conveyor",
             r"expected a direction",
+            r"expected a torque that is not 0",
+            r"needs processor = ",
             r"an end (above|that is not before) the start",
             r"at most a tenth",
             r"the time (of the change )?before",

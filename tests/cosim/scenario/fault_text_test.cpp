@@ -35,11 +35,15 @@ TEST(FaultText, SaysInWordsWhatTheScenarioSaysInKeys) {
   EXPECT_EQ(
       fault_text({.kind = SwitchBounce{.axis = 2, .which = AxisSwitch::kLimitPos, .period_us = 50, .duration_s = 0.5}}),
       "switch_bounce of axis 2, limit_pos, 50 us for 0.5 s");
+  EXPECT_EQ(fault_text({.kind = CollisionTorque{.axis = 2, .torque_nm = -40.5, .duration_s = 0.5}}),
+            "collision_torque of axis 2, -40.5 N m for 0.5 s");
   EXPECT_EQ(fault_text({.kind = CoreOneStuck{}}), "core1_stuck");
   EXPECT_EQ(fault_text({.kind = UartOverrun{.duration_s = 0.5}}), "uart_overrun for 0.5 s");
   EXPECT_EQ(fault_text({.kind = RegisterFlip{.address = 0x4280'0000, .bit = 7}}),
             "register_flip of bit 7 at 0x42800000");
   EXPECT_EQ(fault_text({.kind = FlopFlip{.flop = "u_xbar.busy_q", .bit = 3}}), "flop_flip of bit 3 of u_xbar.busy_q");
+  EXPECT_EQ(fault_text({.kind = MemoryFlip{.symbol = "host_memory", .offset = 16, .bit = 31}}),
+            "memory_flip of bit 31 at host_memory+16");
 }
 
 TEST(FaultText, GivesTheKeysOfTheKindWithTheirValues) {

@@ -1,6 +1,7 @@
 // Friction, gear and brakes against closed forms.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -98,6 +99,36 @@ TEST(ServoGear, LeavesTheLoadWhereItIsWithinThePlay) {
   rig.ramp(0.9 * half_play_counts / 0.5, 0.5);
   rig.run(0.01);
   EXPECT_GT(rig.load_rad(), 0.5 * half_play_counts * rig.rad_per_count);
+}
+
+// 20 N m on the joint are 0.4 N m at the motor, whose brake holds 1 N m. Afterwards all is as before.
+TEST(ServoGear, IsTwistedByACollisionAndItsBrakeHolds) {
+  AxisSpec axis = plain_servo();
+  axis.dynamics->brake_nm = 1;
+  axis.dynamics->gear_damping_nm_s = 10;
+  ServoRig rig{axis, {.inertia_kg_m2 = 0.05}};
+  rig.arm.push(0, 20);
+  rig.run(1, false);
+  EXPECT_EQ(rig.error[0], 0);
+  EXPECT_NEAR(rig.arm.twist_rad(0), -20 / 1e4, kPartOfThousand * 20 / 1e4);
+  rig.arm.push(0, 0);
+  rig.run(1, false);
+  EXPECT_NEAR(rig.arm.twist_rad(0), 0, 1e-9);
+}
+
+// Without damping a load that is pushed swings to twice the twist that it would have at rest.
+TEST(ServoGear, SwingsToTwiceTheTwistOfACollision) {
+  AxisSpec axis = soft_gear();
+  axis.dynamics->brake_nm = 1e6;
+  ServoRig rig{axis, kWheel};
+  rig.step(false);
+  rig.arm.push(0, 20);
+  double most = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    rig.step(false);
+    most = std::max(most, -rig.arm.twist_rad(0));
+  }
+  EXPECT_NEAR(most, 2 * 20 / 5'000.0, kPartOfThousand * 2 * 20 / 5'000.0);
 }
 
 TEST(ServoMotor, StopsByCoulombFrictionAfterTheWayOfItsEnergy) {

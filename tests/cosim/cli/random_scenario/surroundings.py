@@ -81,6 +81,11 @@ LATER_FAULTS = {
     },
     "slow_slave": {"delay_us": lambda draft: draft.number(0.02, 20), "duration_s": duration_of},
     "brake_slip": {"axis": axis_of, "share": lambda draft: draft.number(0, 1), "duration_s": duration_of},
+    "collision_torque": {
+        "axis": axis_of,
+        "torque_nm": lambda draft: draft.rng.choice([-1, 1]) * draft.number(1, 500),
+        "duration_s": duration_of,
+    },
     "uart_break": {"duration_s": duration_of},
     "uart_noise": {
         "width_us": lambda draft: draft.number(0.02, 20, 3),

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "cosim/fabric/verilated_fabric.hpp"
-#include "cosim/flops/flop_table.hpp"
+#include "cosim/flips/flip.hpp"
 #include "cosim/model/model_fabric.hpp"
 
 namespace armature::cosim {

@@ -1,4 +1,4 @@
-#include "cosim/flops/flop_sweep.hpp"
+#include "cosim/flips/flip_sweep.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,8 @@
 
 #include "cosim/campaign/judge/judge.hpp"
 #include "cosim/campaign/judge/judge_limits.hpp"
-#include "cosim/flops/flop_table.hpp"
+#include "cosim/flips/drawn_flips.hpp"
+#include "cosim/flips/flip_table.hpp"
 #include "cosim/text/input_error.hpp"
 #include "cosim/time/clock.hpp"
 #include "tests/cosim/support/scenario_files.hpp"
@@ -53,30 +54,17 @@ within_ms = 150
   return scenario;
 }
 
-// Of each block, or of one.
-std::vector<FlopBit> some_bits(const Scenario& scenario, std::int64_t every, const std::string& block = "") {
-  std::vector<FlopBit> chosen;
-  std::int64_t bits = 0;
-  for (const Flop& flop : flops_of(scenario)) {
-    if (!block.empty() && block_of(flop.name) != block) continue;
-    for (int bit = 0; bit < flop.bits; ++bit) {
-      if (bits++ % every == 0) chosen.push_back({flop.name, bit});
-    }
-  }
-  return chosen;
-}
-
-std::vector<FlopResult> swept(const Scenario& scenario, const UnflippedRun& unflipped, int jobs) {
-  std::vector<FlopBit> bits = some_bits(scenario, kEvery);
-  bits.push_back({"servo_on_o", 2});
-  bits.push_back({"g_rtl.u_encoder.u_core.u_position.position", 40});
-  return sweep_flops(scenario, unflipped,
-                     {.bits = std::move(bits), .instants = {kEarly, kMiddle, kLate}, .jobs = jobs, .stop = never});
+std::vector<FlipResult> swept(const Scenario& scenario, const UnflippedRun& unflipped, int jobs) {
+  std::vector<Flip> flips = flips_of(flops_of(scenario), "", kEvery);
+  flips.push_back({.name = "servo_on_o", .bit = 2});
+  flips.push_back({.name = "g_rtl.u_encoder.u_core.u_position.position", .bit = 40});
+  return sweep_flips(scenario, unflipped,
+                     {.flips = std::move(flips), .instants = {kEarly, kMiddle, kLate}, .jobs = jobs, .stop = never});
 }
 
 // The whole run, from its begin to its end, with the fault in the scenario.
-Verdict whole_run(Scenario scenario, const UnflippedRun& unflipped, const FlopBit& flip, Cycles at) {
-  scenario.faults = {{.at_s = to_seconds(at), .kind = FlopFlip{.flop = flip.flop, .bit = flip.bit}}};
+Verdict whole_run(Scenario scenario, const UnflippedRun& unflipped, const Flip& flip, Cycles at) {
+  scenario.faults = {{.at_s = to_seconds(at), .kind = fault_of(flip)}};
   const JudgeLimits limits = judge_limits(scenario.robot);
   CampaignJudge judge{limits, unflipped.path, at};
   Run run{scenario};
@@ -86,20 +74,19 @@ Verdict whole_run(Scenario scenario, const UnflippedRun& unflipped, const FlopBi
 }
 
 std::map<Outcome, int> compare_with_whole_runs(const Scenario& scenario, const UnflippedRun& unflipped,
-                                               const std::vector<FlopResult>& results) {
+                                               const std::vector<FlipResult>& results) {
   std::map<Outcome, int> seen;
-  for (const FlopResult& result : results) {
+  for (const FlipResult& result : results) {
     const Verdict whole = whole_run(scenario, unflipped, result.flip, result.at);
-    EXPECT_EQ(result.verdict.outcome, whole.outcome)
-        << result.flip.flop << ", bit " << result.flip.bit << " at cycle " << result.at.value();
-    EXPECT_EQ(result.verdict.reason, whole.reason) << result.flip.flop;
-    EXPECT_EQ(result.verdict.latency_ticks, whole.latency_ticks) << result.flip.flop;
+    EXPECT_EQ(result.verdict.outcome, whole.outcome) << keys_of(result.flip) << " at cycle " << result.at.value();
+    EXPECT_EQ(result.verdict.reason, whole.reason) << keys_of(result.flip);
+    EXPECT_EQ(result.verdict.latency_ticks, whole.latency_ticks) << keys_of(result.flip);
     ++seen[result.verdict.outcome];
   }
   return seen;
 }
 
-TEST(FlopSweep, JudgesEachFlipAsAWholeRunDoes) {
+TEST(FlipSweep, JudgesEachFlipAsAWholeRunDoes) {
   const Scenario scenario = short_move();
   const UnflippedRun unflipped = run_unflipped(scenario, never).value();
   ASSERT_EQ(unflipped.verdict.outcome, Outcome::kFinished) << unflipped.verdict.reason;
@@ -108,79 +95,82 @@ TEST(FlopSweep, JudgesEachFlipAsAWholeRunDoes) {
   EXPECT_GT(seen.at(Outcome::kStopped), 1);
 }
 
-TEST(FlopSweep, JudgesAFlipBesideASerialLineAsAWholeRunDoes) {
+TEST(FlipSweep, JudgesAFlipBesideASerialLineAsAWholeRunDoes) {
   const Scenario scenario = short_move_by_pendant();
   const UnflippedRun unflipped = run_unflipped(scenario, never).value();
   ASSERT_EQ(unflipped.verdict.outcome, Outcome::kFinished) << unflipped.verdict.reason;
-  const std::vector<FlopBit> bits = some_bits(scenario, 101, "u_axi_uart16550");
-  ASSERT_GT(bits.size(), 4U);
+  const std::vector<Flip> flips = flips_of(flops_of(scenario), "u_axi_uart16550", 101);
+  ASSERT_GT(flips.size(), 4U);
   const auto results =
-      sweep_flops(scenario, unflipped, {.bits = bits, .instants = {kEarly, kMiddle}, .jobs = 1, .stop = never});
+      sweep_flips(scenario, unflipped, {.flips = flips, .instants = {kEarly, kMiddle}, .jobs = 1, .stop = never});
   compare_with_whole_runs(scenario, unflipped, results);
 }
 
-TEST(FlopSweep, ResultsDoNotDependOnTheNumberOfJobs) {
+TEST(FlipSweep, ResultsDoNotDependOnTheNumberOfJobs) {
   const Scenario scenario = short_move();
   const UnflippedRun unflipped = run_unflipped(scenario, never).value();
-  const auto texts = [](const std::vector<FlopResult>& results) {
+  const auto texts = [](const std::vector<FlipResult>& results) {
     std::vector<std::string> lines;
-    for (const FlopResult& result : results) lines.push_back(silent_flip_text(result, "s"));
+    for (const FlipResult& result : results) lines.push_back(silent_flip_text(result, {}));
     return lines;
   };
   EXPECT_EQ(texts(swept(scenario, unflipped, 3)), texts(swept(scenario, unflipped, 1)));
 }
 
-TEST(FlopTable, CountsByBlock) {
+TEST(FlipTable, CountsByPart) {
   EXPECT_EQ(block_of("g_rtl.u_encoder.u_core.u_position.position_q"), "u_encoder");
   EXPECT_EQ(block_of("u_xbar.write_wait_q"), "u_xbar");
   EXPECT_EQ(block_of("servo_on_o"), "pins");
-  FlopTable table;
-  table.add({{"u_xbar.a_q", 0}, kMiddle, {.outcome = Outcome::kMasked}});
-  table.add({{"u_xbar.a_q", 1}, kMiddle, {.outcome = Outcome::kStopped, .reason = "r", .latency_ticks = 7}});
-  table.add({{"servo_on_o", 1}, kMiddle, {.outcome = Outcome::kHang, .reason = "stands"}});
-  EXPECT_EQ(flop_table_text(table),
+  FlipTable table;
+  table.add({{.part = "u_xbar", .name = "u_xbar.a_q", .bit = 0}, kMiddle, {.outcome = Outcome::kMasked}});
+  table.add({{.part = "u_xbar", .name = "u_xbar.a_q", .bit = 1},
+             kMiddle,
+             {.outcome = Outcome::kStopped, .reason = "r", .latency_ticks = 7}});
+  table.add(
+      {{.part = "pins", .name = "servo_on_o", .bit = 1}, kMiddle, {.outcome = Outcome::kHang, .reason = "stands"}});
+  EXPECT_EQ(flip_table_text(table),
             "                                                                   ticks to the first response\n"
-            "block               flips   masked  finished  stopped  silent   least  median    99 %    most\n"
+            "part                flips   masked  finished  stopped  silent   least  median    99 %    most\n"
             "pins                    1        0         0        0       1\n"
             "u_xbar                  2        1         0        1       0       7       7       7       7\n"
             "all                     3        1         0        1       1       7       7       7       7\n");
-  EXPECT_EQ(
-      silent_flip_text(table.silent.at(0), "a b"),
-      "SILENT  bit 1 of servo_on_o at 0.02000246 s: hang: stands\n      to repeat it: armature run 'a b' --engine rtl "
-      "--set 'fault=[{at_s=0.02000246,kind=\"flop_flip\",flop=\"servo_on_o\",bit=1}]'\n");
-  EXPECT_EQ(to_json(table)["blocks"]["u_xbar"]["outcomes"]["masked"], 1);
-  EXPECT_EQ(to_json(table)["silent"][0]["flop"], "servo_on_o");
+  EXPECT_EQ(silent_flip_text(table.silent.at(0), {.scenario = "a b", .run = "armature run --engine rtl"}),
+            "SILENT  flop_flip of bit 1 of servo_on_o at 0.02000246 s: hang: stands\n      to repeat it: armature run "
+            "--engine rtl "
+            "'a b' --set 'fault=[{at_s=0.02000246,kind=\"flop_flip\",flop=\"servo_on_o\",bit=1}]'\n");
+  EXPECT_EQ(to_json(table)["parts"]["u_xbar"]["outcomes"]["masked"], 1);
+  EXPECT_EQ(to_json(table)["silent"][0]["name"], "servo_on_o");
 }
 
 // Every third flip of a sweep, from this one on.
-FlopTable table_of_shard(int shard) {
-  FlopTable table{.head = {.scenario = "s", .instants_s = {0.02, 0.04}, .flops = "--every 1", .flips = 30},
+FlipTable table_of_shard(int shard) {
+  FlipTable table{.head = {.scenario = "s", .instants_s = {0.02, 0.04}, .bits = "--every 1", .flips = 30},
                   .shards = {std::to_string(shard) + "/3"}};
   for (int flip = shard; flip < 30; flip += 3) {
-    table.add({{"u_xbar.a_q", flip},
+    table.add({{.part = "u_xbar", .name = "u_xbar.a_q", .bit = flip},
                flip < 15 ? kMiddle : kLate,
                {.outcome = flip % 4 == 0 ? Outcome::kHang : Outcome::kStopped, .reason = "r", .latency_ticks = flip}});
   }
   return table;
 }
 
-TEST(FlopTable, ShardsAddUpToTheWholeThroughFiles) {
-  FlopTable whole = table_of_shard(0);
+TEST(FlipTable, ShardsAddUpToTheWholeThroughFiles) {
+  FlipTable whole = table_of_shard(0);
   whole.shards.clear();
   for (const int shard : {1, 2}) {
-    for (const FlopTable part = table_of_shard(shard); const auto& [name, row] : part.blocks) {
-      add_counts(whole.blocks[name].outcomes, row.outcomes);
-      add_counts(whole.blocks[name].latencies, row.latencies);
+    for (const FlipTable part = table_of_shard(shard); const auto& [name, row] : part.parts) {
+      add_counts(whole.parts[name].outcomes, row.outcomes);
+      add_counts(whole.parts[name].latencies, row.latencies);
     }
   }
-  const auto from_file = [](int shard) { return flop_table(to_json(table_of_shard(shard)).dump(), "f"); };
-  FlopTable merged = from_file(2);
+  const auto from_file = [](int shard) { return flip_table(to_json(table_of_shard(shard)).dump(), "f"); };
+  FlipTable merged = from_file(2);
   merged.merge(from_file(0), "f");
   EXPECT_EQ(merged.missing(), 10);
   merged.merge(from_file(1), "f");
   EXPECT_EQ(merged.missing(), 0);
   EXPECT_EQ(merged.shards, std::vector<std::string>{});
-  EXPECT_EQ(flop_table_text(merged), flop_table_text(whole));
+  EXPECT_EQ(flip_table_text(merged), flip_table_text(whole));
   ASSERT_EQ(merged.silent.size(), 8U);
   for (std::size_t i = 0; i < merged.silent.size(); ++i) {
     EXPECT_EQ(merged.silent[i].flip.bit, 4 * static_cast<int>(i));
@@ -188,13 +178,13 @@ TEST(FlopTable, ShardsAddUpToTheWholeThroughFiles) {
   }
 }
 
-TEST(FlopTable, OthersAreRefused) {
-  FlopTable table = table_of_shard(0);
+TEST(FlipTable, OthersAreRefused) {
+  FlipTable table = table_of_shard(0);
   EXPECT_THROW(table.merge(table_of_shard(0), "f"), InputError);
-  FlopTable other = table_of_shard(1);
+  FlipTable other = table_of_shard(1);
   other.head.seed = 7;
   EXPECT_THROW(table.merge(other, "f"), InputError);
-  EXPECT_THROW((void)flop_table("{}", "f"), InputError);
+  EXPECT_THROW((void)flip_table("{}", "f"), InputError);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "cosim/flops/flop_sweep.hpp"
+#include "cosim/flips/flip_sweep.hpp"
 
 #include <unistd.h>
 
@@ -21,13 +21,15 @@ namespace {
 
 constexpr Cycles kSweepSlice{200 * armature::kTickCycles.value()};
 
+// A digest of a state takes as long as some ticks where it includes the memory of cores.
+constexpr std::size_t kMemoryTicks = 64;
+
 // The states of a run at the triggers. Two runs with equal states at a tick go on equally.
 class States : public RunListener {
  public:
-  explicit States(Run& run) : run_{run} {}
+  explicit States(Run& run) : run_{run}, cores_have_memory_{!run.core_memory().parts.empty()} {}
 
   void on_row(const TraceRow& row, const IntegerDigest&) override {
-    constexpr std::uint64_t kOddFactor = 0x9E37'79B9'7F4A'7C15;
     rows_ = (rows_ ^ tick_hash(row)) * kOddFactor;
     ++count_;
     on_tick(Cycles{row.cycle});
@@ -35,12 +37,22 @@ class States : public RunListener {
 
  protected:
   [[nodiscard]] std::size_t count() const { return count_; }
-  [[nodiscard]] std::uint64_t state() const { return rows_ ^ run_.logic_digest(); }
+  // None: not compared at this tick.
+  [[nodiscard]] std::optional<std::uint64_t> state() const {
+    const std::uint64_t logic = rows_ ^ run_.logic_digest();
+    if (!cores_have_memory_) return logic;
+    if (count_ % kMemoryTicks != 0) return std::nullopt;
+    const std::optional<std::uint64_t> cores = run_.core_digest();
+    return cores ? std::optional{(logic ^ *cores) * kOddFactor} : std::nullopt;
+  }
 
  private:
+  static constexpr std::uint64_t kOddFactor = 0x9E37'79B9'7F4A'7C15;
+
   virtual void on_tick(Cycles at) = 0;
 
   Run& run_;
+  bool cores_have_memory_;
   std::uint64_t rows_ = 0;
   std::size_t count_ = 0;
 };
@@ -48,7 +60,7 @@ class States : public RunListener {
 class KeptStates final : public States {
  public:
   using States::States;
-  std::vector<std::uint64_t> states;
+  std::vector<std::optional<std::uint64_t>> states;
 
  private:
   void on_tick(Cycles) override { states.push_back(state()); }
@@ -64,36 +76,44 @@ struct StateAt {
 struct FlipEnd {
   Verdict verdict{};
   std::optional<Cycles> detected{};
-  std::optional<StateAt> first{};  // at the first trigger after the flip
+  std::optional<StateAt> first{};  // at the first trigger after the flip at which states are compared
 };
 
 // Compares the states after a flip with those of the run without it, and with that of the same flip at a later instant.
 class FlippedStates final : public States {
  public:
-  FlippedStates(Run& run, const std::vector<std::uint64_t>& unflipped) : States{run}, unflipped_{unflipped} {}
+  FlippedStates(Run& run, const std::vector<std::optional<std::uint64_t>>& unflipped)
+      : States{run}, unflipped_{unflipped} {}
+
+  // The run goes on as this one.
+  enum class Same : std::uint8_t { kUnflipped, kLater };
 
   void flipped(Cycles at, const FlipEnd* later) {
     flipped_at_ = at;
     later_ = later;
   }
   [[nodiscard]] const std::optional<StateAt>& first() const { return first_; }
-  [[nodiscard]] bool as_unflipped() const { return as_unflipped_; }
-  [[nodiscard]] bool as_later() const { return as_later_; }
+  [[nodiscard]] const std::optional<Same>& same() const { return same_; }
 
  private:
   void on_tick(Cycles at) override {
-    if (!flipped_at_ || at <= *flipped_at_ || as_unflipped_ || as_later_) return;
-    const StateAt now{at, state()};
+    if (!flipped_at_ || at <= *flipped_at_ || same_) return;
+    const std::optional<std::uint64_t> known = state();
+    if (!known) return;
+    const StateAt now{at, *known};
     if (!first_) first_ = now;
-    as_unflipped_ = count() <= unflipped_.size() && now.state == unflipped_[count() - 1];
-    as_later_ = later_ != nullptr && later_->first == now;
+    if (count() <= unflipped_.size() && known == unflipped_[count() - 1]) {
+      same_ = Same::kUnflipped;
+    } else if (later_ != nullptr && later_->first == now) {
+      same_ = Same::kLater;
+    }
   }
 
-  const std::vector<std::uint64_t>& unflipped_;
+  const std::vector<std::optional<std::uint64_t>>& unflipped_;
   std::optional<Cycles> flipped_at_;
   const FlipEnd* later_ = nullptr;
   std::optional<StateAt> first_;
-  bool as_unflipped_ = false, as_later_ = false;
+  std::optional<Same> same_;
 };
 
 // The end of a run on its way from a copy. The reason of the verdict follows as a text.
@@ -148,29 +168,24 @@ class RunToInstant {
   }
 
   // `later`: of the same flip at the next instant; null: there is none.
-  [[nodiscard]] FlipEnd judge_flip(const FlopBit& flip, const FlipEnd* later) {
+  [[nodiscard]] FlipEnd judge_flip(const Flip& flip, const FlipEnd* later) {
     constexpr Cycles kSoon{2 * armature::kTickCycles.value()};
-    const FaultKind kind = FlopFlip{.flop = flip.flop, .bit = flip.bit};
-    run_.add_action(FaultSpec{.at_s = to_seconds(run_.now()), .kind = kind});
+    run_.add_action(FaultSpec{.at_s = to_seconds(run_.now()), .kind = fault_of(flip)});
     states_.flipped(run_.now(), later);
     // Most flips are over soon.
-    for (Cycles slice = kSoon; !end_is_known() && run_.advance(run_.now() + slice) && !judge_.may_end();
+    for (Cycles slice = kSoon; !states_.same() && run_.advance(run_.now() + slice) && !judge_.may_end();
          slice = std::min(slice + slice, kSweepSlice)) {
     }
-    FlipEnd end{.first = states_.first()};
-    if (end_is_known()) {
-      end.verdict = states_.as_later() ? later->verdict : Verdict{.outcome = Outcome::kMasked};
-      if (states_.as_later()) end.detected = later->detected;
-    } else {
-      end.verdict = judge_.verdict(run_.finish().failure);
-      end.detected = judge_.detected();
+    if (states_.same() == FlippedStates::Same::kUnflipped) {
+      return {.verdict = {.outcome = Outcome::kMasked}, .first = states_.first()};
     }
-    return end;
+    if (states_.same() == FlippedStates::Same::kLater) {
+      return {.verdict = later->verdict, .detected = later->detected, .first = states_.first()};
+    }
+    return {.verdict = judge_.verdict(run_.finish().failure), .detected = judge_.detected(), .first = states_.first()};
   }
 
  private:
-  [[nodiscard]] bool end_is_known() const { return states_.as_unflipped() || states_.as_later(); }
-
   JudgeLimits limits_;
   CampaignJudge judge_;
   Run run_;
@@ -182,7 +197,7 @@ struct Copy {
   MessageChannel channel;
 };
 
-Copy copy_with_flip(RunToInstant& run, const FlopBit& flip, const FlipEnd* later) {
+Copy copy_with_flip(RunToInstant& run, const Flip& flip, const FlipEnd* later) {
   auto [mine, other] = MessageChannel::pair();
   const pid_t process = copy_this_process(other.descriptor());
   if (process == 0) {
@@ -198,7 +213,7 @@ Copy copy_with_flip(RunToInstant& run, const FlopBit& flip, const FlipEnd* later
 }
 
 // The flips of an instant, some of them at the same time. `later`: those of the next one, of each bit or of none.
-std::vector<FlipEnd> flip_all(RunToInstant& run, const FlopSweep& sweep, Cycles at, const std::vector<FlipEnd>& later,
+std::vector<FlipEnd> flip_all(RunToInstant& run, const FlipSweep& sweep, Cycles at, const std::vector<FlipEnd>& later,
                               const std::function<void()>& on_end) {
   std::vector<FlipEnd> ends;
   std::deque<Copy> copies;
@@ -209,9 +224,9 @@ std::vector<FlipEnd> flip_all(RunToInstant& run, const FlopSweep& sweep, Cycles 
     wait_for_end(copy.process);
     on_end();
   };
-  for (std::size_t i = 0; i < sweep.bits.size() && !sweep.stop(); ++i) {
+  for (std::size_t i = 0; i < sweep.flips.size() && !sweep.stop(); ++i) {
     if (copies.size() == static_cast<std::size_t>(sweep.jobs)) take_end();
-    copies.push_back(copy_with_flip(run, sweep.bits[i], later.empty() ? nullptr : &later[i]));
+    copies.push_back(copy_with_flip(run, sweep.flips[i], later.empty() ? nullptr : &later[i]));
   }
   while (!copies.empty()) take_end();
   return ends;
@@ -222,6 +237,10 @@ std::vector<FlipEnd> flip_all(RunToInstant& run, const FlopSweep& sweep, Cycles 
 std::vector<Flop> flops_of(const Scenario& scenario) {
   Run run{scenario};
   return run.flops();
+}
+
+CoreMemory memory_of(const Scenario& scenario) {
+  return Run{scenario}.core_memory();
 }
 
 std::optional<UnflippedRun> run_unflipped(const Scenario& scenario, const std::function<bool()>& stop) {
@@ -242,7 +261,7 @@ std::optional<UnflippedRun> run_unflipped(const Scenario& scenario, const std::f
       .path = recorder.path(), .states = std::move(states.states), .verdict = judge.verdict(summary.failure)};
 }
 
-std::vector<FlopResult> sweep_flops(const Scenario& scenario, const UnflippedRun& unflipped, const FlopSweep& sweep) {
+std::vector<FlipResult> sweep_flips(const Scenario& scenario, const UnflippedRun& unflipped, const FlipSweep& sweep) {
   std::vector<std::vector<FlipEnd>> ends(sweep.instants.size());
   std::size_t done = 0;
   const auto on_end = [&] {
@@ -254,12 +273,12 @@ std::vector<FlopResult> sweep_flops(const Scenario& scenario, const UnflippedRun
     RunToInstant run{scenario, unflipped};
     if (!run.advance(sweep.instants[i], sweep.stop)) break;
     ends[i] = flip_all(run, sweep, sweep.instants[i], i + 1 < ends.size() ? ends[i + 1] : none, on_end);
-    if (ends[i].size() < sweep.bits.size()) break;
+    if (ends[i].size() < sweep.flips.size()) break;
   }
-  std::vector<FlopResult> results;
+  std::vector<FlipResult> results;
   for (std::size_t i = 0; i < ends.size(); ++i) {
-    for (std::size_t bit = 0; bit < ends[i].size(); ++bit) {
-      results.push_back({sweep.bits[bit], sweep.instants[i], std::move(ends[i][bit].verdict)});
+    for (std::size_t flip = 0; flip < ends[i].size(); ++flip) {
+      results.push_back({sweep.flips[flip], sweep.instants[i], std::move(ends[i][flip].verdict)});
     }
   }
   return results;
