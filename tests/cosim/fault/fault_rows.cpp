@@ -57,6 +57,8 @@ class Watch final : public RunListener {
   bool reset = false;
   bool on_without_reset = false, moved_after_reset = false;
   std::optional<PerAxis<std::int64_t>> pulses_at_reset;
+  // The fault is there from the first tick on.
+  void begin() { begun_.emplace(); }
   [[nodiscard]] Cycles begun() const { return begun_->at; }
 
  private:
@@ -104,6 +106,7 @@ Seen see(const FaultCase& row, double at_s) {
   const Scenario scenario = scenario_of(row, at_s);
   Run run{scenario};
   Watch watch;
+  if (row.fault.empty()) watch.begin();
   run.add(watch);
   run_out(run);
   const RunSummary summary = run.finish();
@@ -123,7 +126,9 @@ Seen see(const FaultCase& row, double at_s) {
   } else if (!facts.faults.empty()) {
     const FaultEvent& fault = facts.faults.front();
     seen.by = detector_of(fault.cause);
-    seen.text = report_in(answer_text(facts.injected_faults.front()));
+    seen.text = facts.injected_faults.empty()
+                    ? fmt::format("the controller reports {} of axis {}", word_of(fault.cause), fault.where.axis)
+                    : report_in(answer_text(facts.injected_faults.front()));
     seen.ticks = since(fault.where.at);
   } else if (watch.servo_off) {
     seen.by = "logic";
@@ -167,6 +172,12 @@ std::string worst_of(const std::array<Seen, kFaultTimes.size()>& runs, Member me
   return worst ? std::to_string(*worst) : "";
 }
 
+std::string name_of(const FaultCase& row) {
+  if (row.fault.empty()) return fmt::format("`{}`", row.more);
+  const std::string name = fault_text(scenario_of(row, kFaultTimes[0]).faults.front());
+  return row.more.empty() ? name : fmt::format("{}, with `{}`", name, row.more);
+}
+
 std::string text_of_file(const std::string& name) {
   std::ifstream file{name};
   return {std::istreambuf_iterator<char>{file}, {}};
@@ -180,7 +191,7 @@ std::size_t end_of_part(const std::string& text, std::size_t begin) {
 }  // namespace
 
 Scenario scenario_of(const FaultCase& row, double at_s) {
-  std::string fault;
+  std::string fault = row.fault.empty() ? std::string{} : fmt::format("[[fault]]\nat_s = {}\n", at_s);
   for (std::size_t begin = 0; begin < row.fault.size();) {
     const std::size_t end = std::min(row.fault.find(", ", begin), row.fault.size());
     fault += std::string{row.fault.substr(begin, end - begin)} + '\n';
@@ -201,11 +212,8 @@ target_deg = [40, 40, 40, 40, 40, 40]
 [[move]]
 at_s = {}
 type = "clear_fault"
-[[fault]]
-at_s = {}
 )",
-                  row.robot, row.engine, row.firmware ? "[cpu]\nprocessor = \"a9\"\ncpi = 1.5" : row.more, kResetAt,
-                  at_s) +
+                  row.robot, row.engine, row.firmware ? "[cpu]\nprocessor = \"a9\"\ncpi = 1.5" : row.more, kResetAt) +
       fault;
   return load_scenario(folder.write("s/scenario.toml", text), shipped());
 }
@@ -221,8 +229,7 @@ std::string table_of(const std::vector<FaultCase>& rows) {
     std::ranges::transform(kFaultTimes, runs.begin(), [&](double at_s) { return see(row, at_s); });
     const std::string by = all_of(runs, &Seen::by);
     EXPECT_TRUE(by != "nobody" || !row.why.empty()) << row.fault << ": nobody detects it, and no sentence says why";
-    std::string name = fault_text(scenario_of(row, kFaultTimes[0]).faults.front());
-    if (!row.more.empty()) name += fmt::format(", with `{}`", row.more);
+    std::string name = name_of(row);
     if (!row.why.empty()) {
       name += fmt::format(" ({})", ++number);
       notes += fmt::format("{}. {}\n", number, row.why);

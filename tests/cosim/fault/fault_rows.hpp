@@ -13,9 +13,9 @@
 namespace armature::cosim::test {
 
 struct FaultCase {
-  std::string_view fault;   // the keys of the table [[fault]] but at_s
-  std::string_view more{};  // further keys of the scenario
-  std::string_view why{};   // nobody detects it, or something else that the table must explain
+  std::string_view fault{};  // the keys of the table [[fault]] but at_s; empty: `more` is the fault
+  std::string_view more{};   // further keys of the scenario
+  std::string_view why{};    // nobody detects it, or something else that the table must explain
   std::string_view robot = "vo2021_6r";
   std::string_view engine = "model";
   bool firmware = false;  // the cores execute its instructions

@@ -60,6 +60,7 @@ const std::vector<FaultCase> kCases{
     {.fault = R"(kind = "encoder_noise", axis = 1, line = "b", width_us = 1, mean_gap_us = 20, duration_s = 1)"},
     {.fault = R"(kind = "encoder_miscount", axis = 1, counts = 40)"},
     {.fault = R"(kind = "index_slip", axis = 1, counts = 400)"},
+    {.more = "moved_start_deg = [0, 0, 2, 0, 0, 0]"},
     {.fault = R"(kind = "switch_stuck", axis = 4, switch = "limit_pos", level = 1, duration_s = 1)"},
     {.fault = R"(kind = "switch_stuck", axis = 4, switch = "limit_neg", level = 1, duration_s = 1)",
      .why = "The axis moves away from this switch, which is allowed. The next motion towards it is a fault."},

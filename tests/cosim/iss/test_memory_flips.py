@@ -39,7 +39,9 @@ class MemoryFlips(Program):
         done = self.armature("run", TINY, *CHARGED, "--set", f"fault=[{{{place}}}]", "--out", "out", code=None)
         self.assertRegex(done.stdout, r"servo enables dropped +watchdog|controller_silent")
         self.assertIn("memory_flip of bit 28 at armature_charge+0", done.stdout)
-        wrong = self.armature("run", TINY, *CHARGED, "--set", f'fault=[{{{place.replace("charge", "change")}}}]', code=2)
+        wrong = self.armature(
+            "run", TINY, *CHARGED, "--set", f'fault=[{{{place.replace("charge", "change")}}}]', code=2
+        )
         self.assertRegex(wrong.stderr, r'symbol.*found "armature_change", did you mean "armature_charge"')
 
     def test_the_host_has_no_such_memory(self):
