@@ -38,9 +38,11 @@ bool HostSide::read_new(Telemetry& telemetry) noexcept {
   const std::uint32_t before = published.load(std::memory_order_acquire);
   if (before == last_published_ || before % 2 != 0) return false;
   std::size_t at = 0;
-  const bool valid = take(memory_.telemetry.body.data(), at, telemetry);
+  Telemetry read;
+  const bool valid = take(memory_.telemetry.body.data(), at, read);
   std::atomic_thread_fence(std::memory_order_acquire);
   if (!valid || published.load(std::memory_order_relaxed) != before) return false;
+  telemetry = read;
   last_published_ = before;
   return true;
 }

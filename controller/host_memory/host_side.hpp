@@ -51,7 +51,7 @@ class HostSide {
   // it is being written.
   [[nodiscard]] std::optional<Telemetry> new_telemetry() noexcept;
   // The same into `telemetry`, for a caller that keeps it. Returns false, and leaves it as it is, if there is no new
-  // one; it is undefined if one was being written meanwhile.
+  // one, if one was being written meanwhile, or if a byte has a value that telemetry does not have.
   bool read_new(Telemetry& telemetry) noexcept;
 
  private:

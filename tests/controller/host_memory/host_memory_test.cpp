@@ -239,6 +239,21 @@ TEST_F(HostMemoryTest, TelemetryIsSeenOnceForEachTick) {
   EXPECT_FALSE(host.new_telemetry());
 }
 
+// A controller that is out of its mind may write anything.
+TEST_F(HostMemoryTest, TelemetryWithAStateThatIsNoneIsNotRead) {
+  Core0Writer core0{*memory};
+  Telemetry seen = random_value<Telemetry>();
+  const auto before = bytes_of(seen);
+  core0.on_tick(random_value<Telemetry>());
+  for (std::uint8_t& byte : memory->telemetry.body) byte = 0x56;
+  EXPECT_FALSE(host.read_new(seen));
+  EXPECT_EQ(bytes_of(seen), before);
+  const Telemetry next = random_value<Telemetry>();
+  core0.on_tick(next);
+  EXPECT_TRUE(host.read_new(seen));
+  EXPECT_EQ(bytes_of(seen), bytes_of(next));
+}
+
 TEST_F(HostMemoryTest, AnEventThatFindsNoRoomIsCounted) {
   Core1Writer core1{*memory};
   constexpr std::uint32_t kRoom = Core1Events::kCapacity;
