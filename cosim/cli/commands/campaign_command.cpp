@@ -17,6 +17,7 @@
 #include "cosim/campaign/campaign_table.hpp"
 #include "cosim/campaign/shrink.hpp"
 #include "cosim/cli/command/command.hpp"
+#include "cosim/cli/command/progress_count.hpp"
 #include "cosim/cli/command/shard.hpp"
 #include "cosim/cli/options/output_files.hpp"
 #include "cosim/cli/options/output_options.hpp"
@@ -25,7 +26,6 @@
 #include "cosim/cli/run/interrupt.hpp"
 #include "cosim/cli/run/temporary_folder.hpp"
 #include "cosim/report/format/junit.hpp"
-#include "cosim/report/format/progress_bar.hpp"
 #include "cosim/scenario/files/robot_loader.hpp"
 #include "cosim/text/input_error.hpp"
 #include "cosim/text/printable.hpp"
@@ -113,16 +113,10 @@ std::vector<CampaignResult> run_all(const CampaignOptions& given, const Campaign
   for (std::int64_t group = shard.index; group < end; group += shard.total) part.groups.push_back(group);
   if (given.only) part.groups = {*given.only / kGroupRuns};
   part.wanted = [&](std::int64_t run) { return given.only ? run == *given.only : run < given.runs; };
-  const bool shows_progress = !given.output.quiet && stderr_is_terminal();
-  if (shows_progress) {
-    part.progress = [&](std::size_t groups) {
-      std::cerr << fmt::format("\r{} of {} groups of runs", groups, part.groups.size()) << std::flush;
-    };
-  }
+  const ProgressCount progress{part.groups.size(), "groups of runs", given.output.quiet};
+  part.progress = progress.listener();
   const TemporaryFolder folder;
-  std::vector<CampaignResult> results = run_part(spec, part, folder.path());
-  if (shows_progress) std::cerr << "\r\x1b[K" << std::flush;
-  return results;
+  return run_part(spec, part, folder.path());
 }
 
 void write_results(const CampaignOptions& given, const CampaignTable& table, const std::string& replay) {

@@ -10,10 +10,10 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "cosim/cli/command/command.hpp"
+#include "cosim/cli/command/progress_count.hpp"
 #include "cosim/cli/command/shard.hpp"
 #include "cosim/cli/options/output_files.hpp"
 #include "cosim/cli/options/output_options.hpp"
@@ -24,7 +24,6 @@
 #include "cosim/flips/drawn_flips.hpp"
 #include "cosim/flips/flip_sweep.hpp"
 #include "cosim/flips/flip_table.hpp"
-#include "cosim/report/format/progress_bar.hpp"
 #include "cosim/scenario/files/scenario_loader.hpp"
 #include "cosim/text/input_error.hpp"
 #include "cosim/text/json.hpp"
@@ -38,6 +37,8 @@ namespace armature::cosim {
 enum class FlipsIn : std::uint8_t { kLogic, kMemory };
 
 namespace {
+
+constexpr const char* kInstructionTime = "cpu.cpi=1.5";
 
 constexpr const char* kFlipsDetails = R"(Examples:
   armature flips
@@ -118,7 +119,7 @@ Scenario scenario_to_flip(const FlipsOptions& given, const SearchPath& path) {
   load.logic.engine = Engine::kRtl;
   if (given.in_memory()) {
     load.processor = CpuKind::kA9;
-    load.overrides = {"cpu.cpi=1.5"};
+    load.overrides = {kInstructionTime};
   }
   return load_scenario(*given.scenario, load);
 }
@@ -134,27 +135,14 @@ FlipTable new_table(const FlipsOptions& given, const std::vector<Cycles>& instan
   table.head = {
       .scenario = *given.scenario,
       .seed = given.seed,
-      .run =
-          given.in_memory() ? "armature-iss run --engine rtl --cpu a9 --set cpu.cpi=1.5" : "armature run --engine rtl",
+      .run = given.in_memory() ? fmt::format("armature-iss run --engine rtl --cpu a9 --set {}", kInstructionTime)
+                               : "armature run --engine rtl",
       .bits = (given.in_memory() ? fmt::format("--bits {}", given.bits) : fmt::format("--every {}", given.every)) +
               (given.part.empty() ? "" : " --part " + given.part),
       .flips = static_cast<std::int64_t>(bits * instants.size())};
   for (const Cycles at : instants) table.head.instants_s.push_back(to_seconds(at));
   if (shard.total > 1) table.shards = {fmt::format("{}/{}", shard.index, shard.total)};
   return table;
-}
-
-std::vector<FlipResult> sweep_with_progress(const FlipsOptions& given, const Scenario& scenario,
-                                            const UnflippedRun& unflipped, FlipSweep sweep) {
-  const bool shows_progress = !given.output.quiet && stderr_is_terminal();
-  if (shows_progress) {
-    sweep.progress = [&](std::size_t done) {
-      std::cerr << fmt::format("\r{} of {} flips", done, sweep.flips.size() * sweep.instants.size()) << std::flush;
-    };
-  }
-  std::vector<FlipResult> results = sweep_flips(scenario, unflipped, sweep);
-  if (shows_progress) std::cerr << "\r\x1b[K" << std::flush;
-  return results;
 }
 
 int flip_all(const FlipsOptions& given, const SearchPath& path) {
@@ -177,8 +165,10 @@ int flip_all(const FlipsOptions& given, const SearchPath& path) {
     sweep.flips.push_back(all[i]);
   }
   FlipTable table = new_table(given, sweep.instants, shard, all.size());
-  for (const FlipResult& result : sweep_with_progress(given, scenario, *unflipped, std::move(sweep))) {
-    table.add(result);
+  {
+    const ProgressCount progress{sweep.flips.size() * sweep.instants.size(), "flips", given.output.quiet};
+    sweep.progress = progress.listener();
+    for (const FlipResult& result : sweep_flips(scenario, *unflipped, sweep)) table.add(result);
   }
   print_table(given, table);
   if (interrupted()) return kExitInterrupted;
