@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "controller/regs/soc_map.hpp"
+#include "cosim/time/mixed.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -77,14 +78,15 @@ void CoreProcessor::flip_astray(std::uint32_t addr, std::uint32_t mask) {
 }
 
 std::optional<std::uint64_t> CoreProcessor::digest() const {
-  std::optional<std::uint64_t> digest = program_->digest();
   if (!stray_.empty()) return std::nullopt;
+  std::uint64_t waiting = 0;
   for (const Core& core : cores_) {
-    const std::optional<std::uint64_t> waiting = core.waiting_digest();
-    if (!digest || !waiting) return std::nullopt;
-    digest = (*digest ^ *waiting) * 0x9E37'79B9'7F4A'7C15;
+    const std::optional<std::uint64_t> one = core.waiting_digest();
+    if (!one) return std::nullopt;
+    waiting = mixed(waiting, *one);
   }
-  return digest;
+  const std::optional<std::uint64_t> program = program_->digest();  // of megabytes
+  return program ? std::optional{mixed(waiting, *program)} : std::nullopt;
 }
 
 void CoreProcessor::stop_core_one(Cycles now) {

@@ -15,6 +15,7 @@
 #include "cosim/snapshot/message_channel.hpp"
 #include "cosim/snapshot/text_message.hpp"
 #include "cosim/time/clock.hpp"
+#include "cosim/time/mixed.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -30,7 +31,7 @@ class States : public RunListener {
   explicit States(Run& run) : run_{run}, cores_have_memory_{!run.core_memory().parts.empty()} {}
 
   void on_row(const TraceRow& row, const IntegerDigest&) override {
-    rows_ = (rows_ ^ tick_hash(row)) * kOddFactor;
+    rows_ = mixed(rows_, tick_hash(row));
     ++count_;
     on_tick(Cycles{row.cycle});
   }
@@ -43,12 +44,10 @@ class States : public RunListener {
     if (!cores_have_memory_) return logic;
     if (count_ % kMemoryTicks != 0) return std::nullopt;
     const std::optional<std::uint64_t> cores = run_.core_digest();
-    return cores ? std::optional{(logic ^ *cores) * kOddFactor} : std::nullopt;
+    return cores ? std::optional{mixed(logic, *cores)} : std::nullopt;
   }
 
  private:
-  static constexpr std::uint64_t kOddFactor = 0x9E37'79B9'7F4A'7C15;
-
   virtual void on_tick(Cycles at) = 0;
 
   Run& run_;

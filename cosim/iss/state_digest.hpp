@@ -7,6 +7,8 @@
 #include <cstring>
 #include <span>
 
+#include "cosim/time/mixed.hpp"
+
 namespace armature::cosim::iss {
 
 class StateDigest {
@@ -31,11 +33,6 @@ class StateDigest {
 
  private:
   static constexpr std::size_t kLanes = 4;
-
-  static std::uint64_t mixed(std::uint64_t state, std::uint64_t value) {
-    const std::uint64_t product = (state ^ value) * 0x9E37'79B9'7F4A'7C15;
-    return product ^ (product >> 32);
-  }
 
   std::array<std::uint64_t, kLanes> lanes_{1, 2, 3, 4};
 };

@@ -2,6 +2,8 @@
 
 #include <bit>
 
+#include "cosim/time/mixed.hpp"
+
 namespace armature::cosim {
 namespace {
 
@@ -12,13 +14,8 @@ static_assert(std::endian::native == std::endian::little);
 
 constexpr std::uint64_t kBegin = 1;
 
-// For one hash, different values give different results; for one value, different hashes do.
-constexpr std::uint64_t mixed(std::uint64_t hash, std::uint64_t value) {
-  const std::uint64_t product = (hash ^ value) * 0x9E3779B97F4A7C15U;
-  return product ^ (product >> 32U);
-}
 constexpr std::uint64_t mixed(std::uint64_t hash, std::int64_t value) {
-  return mixed(hash, static_cast<std::uint64_t>(value));
+  return cosim::mixed(hash, static_cast<std::uint64_t>(value));
 }
 
 }  // namespace
