@@ -146,7 +146,7 @@ void FaultInjector::start(const MemoryFlip& fault) {
   const auto address = targets_.processor.memory().word_at(fault.symbol, fault.offset);
   if (!address) throw std::invalid_argument{"no memory at " + fault.symbol};
   targets_.processor.flip_memory(*address, std::uint32_t{1} << fault.bit);
-  memory_flipped_ = true;
+  bus_errs_ = true;
 }
 
 }  // namespace armature::cosim

@@ -70,9 +70,7 @@ class FaultInjector {
 
   // Whether a fault explains error responses of the bus to accesses of the program. Without such a fault they are an
   // error of the program.
-  [[nodiscard]] bool explains_bus_errors() const {
-    return blocks_hang_ || bus_errs_ || flops_flipped_ || memory_flipped_;
-  }
+  [[nodiscard]] bool explains_bus_errors() const { return blocks_hang_ || bus_errs_ || flops_flipped_; }
 
  private:
   // One start() for each kind, and one stop() for each kind with a duration. What a part asks for follows from the
@@ -118,9 +116,8 @@ class FaultInjector {
   ActiveFaults active_;
   bool blocks_hang_ = false;
   std::vector<SlaveError> errors_;  // with the accesses that are left
-  bool bus_errs_ = false;
+  bool bus_errs_ = false;           // by SlaveError, or because a core may access anything
   bool flops_flipped_ = false;
-  bool memory_flipped_ = false;
   bool clock_ran_ = true;
 };
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "controller/base/words.hpp"
@@ -104,15 +105,19 @@ template <class Kind>
       .required();
 }
 
-// An address of a register: a multiple of 4.
+// A key of a place in bytes where a word is: a multiple of 4.
+template <class Kind>
+[[nodiscard]] Key<Kind> word_place_key(std::string_view name, std::int64_t Kind::*place, Rule range,
+                                       std::string_view text) {
+  return key(name, place, std::move(range), text).checked([place](Kind& fault, const KeyContext&) {
+    return fault.*place % 4 == 0 ? std::string{} : fmt::format("expected a multiple of 4, found {}", fault.*place);
+  });
+}
+
+// An address of a register.
 template <class Kind>
 [[nodiscard]] Key<Kind> address_key(std::string_view text) {
-  return key("address", &Kind::address, between(0, kMaxWord), text)
-      .required()
-      .checked([](Kind& fault, const KeyContext&) {
-        return fault.address % 4 == 0 ? std::string{}
-                                      : fmt::format("expected a multiple of 4, found {}", fault.address);
-      });
+  return word_place_key("address", &Kind::address, between(0, kMaxWord), text).required();
 }
 
 }  // namespace armature::cosim

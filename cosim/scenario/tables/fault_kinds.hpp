@@ -183,12 +183,8 @@ template <>
                    "`host_memory`, the memory that the controller shares with its host.")
                    .required()
                    .needs(Needs::kMemory),
-               key("offset", &MemoryFlip::offset, between(-kMaxWord, kMaxWord, "bytes"),
-                   "Place of the word behind the symbol, a multiple of 4.")
-                   .checked([](MemoryFlip& fault, const KeyContext&) {
-                     return fault.offset % 4 == 0 ? std::string{}
-                                                  : fmt::format("expected a multiple of 4, found {}", fault.offset);
-                   }),
+               word_place_key("offset", &MemoryFlip::offset, between(-kMaxWord, kMaxWord, "bytes"),
+                              "Place of the word behind the symbol, a multiple of 4."),
                key("bit", &MemoryFlip::bit, between(0, 31), "Number of the bit of the word.").required()},
       .details =
           [](const MemoryFlip& fault) {

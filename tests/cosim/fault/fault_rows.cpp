@@ -198,8 +198,7 @@ Scenario scenario_of(const FaultCase& row, double at_s) {
     begin = end + 2;
   }
   const TempFolder folder;
-  const std::string text =
-      fmt::format(R"(description = "fault"
+  const std::string text = fmt::format(R"(description = "fault"
 robot = "{}"
 duration_s = 0.65
 engine = "{}"
@@ -213,8 +212,8 @@ target_deg = [40, 40, 40, 40, 40, 40]
 at_s = {}
 type = "clear_fault"
 )",
-                  row.robot, row.engine, row.firmware ? "[cpu]\nprocessor = \"a9\"\ncpi = 1.5" : row.more, kResetAt) +
-      fault;
+                                       row.robot, row.engine, row.firmware ? kFirmwareKeys : row.more, kResetAt) +
+                           fault;
   return load_scenario(folder.write("s/scenario.toml", text), shipped());
 }
 

@@ -21,6 +21,8 @@ struct FaultCase {
   bool firmware = false;  // the cores execute its instructions
 };
 
+// Of a scenario whose cores execute the instructions of the firmware.
+inline constexpr std::string_view kFirmwareKeys = "[cpu]\nprocessor = \"a9\"\ncpi = 1.5";
 inline constexpr std::array kFaultTimes{0.2001, 0.22619, 0.26003};
 
 [[nodiscard]] Scenario scenario_of(const FaultCase& row, double at_s);

@@ -8,13 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "cosim/campaign/judge/judge.hpp"
-#include "cosim/campaign/judge/judge_limits.hpp"
 #include "cosim/flips/drawn_flips.hpp"
 #include "cosim/flips/flip_table.hpp"
 #include "cosim/text/input_error.hpp"
-#include "cosim/time/clock.hpp"
 #include "tests/cosim/support/scenario_files.hpp"
+#include "tests/cosim/support/whole_flip.hpp"
 #include "tests/cosim/support/whole_run.hpp"
 
 namespace armature::cosim {
@@ -62,22 +60,11 @@ std::vector<FlipResult> swept(const Scenario& scenario, const UnflippedRun& unfl
                      {.flips = std::move(flips), .instants = {kEarly, kMiddle, kLate}, .jobs = jobs, .stop = never});
 }
 
-// The whole run, from its begin to its end, with the fault in the scenario.
-Verdict whole_run(Scenario scenario, const UnflippedRun& unflipped, const Flip& flip, Cycles at) {
-  scenario.faults = {{.at_s = to_seconds(at), .kind = fault_of(flip)}};
-  const JudgeLimits limits = judge_limits(scenario.robot);
-  CampaignJudge judge{limits, unflipped.path, at};
-  Run run{scenario};
-  run.add(judge);
-  test::run_out(run);
-  return judge.verdict(run.finish().failure);
-}
-
 std::map<Outcome, int> compare_with_whole_runs(const Scenario& scenario, const UnflippedRun& unflipped,
                                                const std::vector<FlipResult>& results) {
   std::map<Outcome, int> seen;
   for (const FlipResult& result : results) {
-    const Verdict whole = whole_run(scenario, unflipped, result.flip, result.at);
+    const Verdict whole = test::whole_run(scenario, unflipped, result);
     EXPECT_EQ(result.verdict.outcome, whole.outcome) << keys_of(result.flip) << " at cycle " << result.at.value();
     EXPECT_EQ(result.verdict.reason, whole.reason) << keys_of(result.flip);
     EXPECT_EQ(result.verdict.latency_ticks, whole.latency_ticks) << keys_of(result.flip);

@@ -5,24 +5,20 @@
 #include <string>
 #include <vector>
 
-#include "cosim/campaign/judge/judge.hpp"
-#include "cosim/campaign/judge/judge_limits.hpp"
 #include "cosim/cpu/make_processor.hpp"
 #include "cosim/flips/drawn_flips.hpp"
 #include "cosim/flips/flip_sweep.hpp"
 #include "cosim/iss/arm_program.hpp"
 #include "cosim/iss/firmware.hpp"
-#include "cosim/time/clock.hpp"
 #include "tests/cosim/fault/fault_rows.hpp"
 #include "tests/cosim/support/scenario_files.hpp"
+#include "tests/cosim/support/whole_flip.hpp"
 #include "tests/cosim/support/whole_run.hpp"
 
 namespace armature::cosim::iss {
 namespace {
 
 using RunUnderTest = Run;  // Test has a function Run
-
-constexpr std::string_view kA9 = "[cpu]\nprocessor = \"a9\"\ncpi = 1.5";
 
 class MemoryFlips : public testing::Test {
  protected:
@@ -64,14 +60,7 @@ TEST_F(MemoryFlips, ASweepJudgesEachAsAWholeRunDoes) {
   ASSERT_EQ(results.size(), 2 * flips.size());
   int stopped = 0;
   for (const FlipResult& result : results) {
-    Scenario whole = scenario;
-    whole.faults = {{.at_s = to_seconds(result.at), .kind = fault_of(result.flip)}};
-    const JudgeLimits limits = judge_limits(whole.robot);
-    CampaignJudge judge{limits, unflipped.path, result.at};
-    RunUnderTest run{whole};
-    run.add(judge);
-    test::run_out(run);
-    const Verdict verdict = judge.verdict(run.finish().failure);
+    const Verdict verdict = test::whole_run(scenario, unflipped, result);
     EXPECT_EQ(result.verdict.outcome, verdict.outcome) << keys_of(result.flip) << ": " << verdict.reason;
     EXPECT_EQ(result.verdict.latency_ticks, verdict.latency_ticks) << keys_of(result.flip);
     if (verdict.outcome == Outcome::kStopped) ++stopped;
@@ -82,7 +71,7 @@ TEST_F(MemoryFlips, ASweepJudgesEachAsAWholeRunDoes) {
 TEST_F(MemoryFlips, AnUnknownSymbolAndAPlaceWithoutMemoryAreRefused) {
   const auto error_of = [](const std::string& place) -> std::string {
     const Scenario scenario = test::scenario_with(
-        std::string{kA9} + "\n[[fault]]\nat_s = 0.1\nkind = \"memory_flip\"\n" + place + "\nbit = 0\n");
+        std::string{test::kFirmwareKeys} + "\n[[fault]]\nat_s = 0.1\nkind = \"memory_flip\"\n" + place + "\nbit = 0\n");
     try {
       const RunUnderTest run{scenario};
     } catch (const InputError& error) {
