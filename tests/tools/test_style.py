@@ -17,6 +17,7 @@ BAD = [
     ("end.md", "a", "end.md: no newline at the end"),
     ("empty.md", "a\n\n", "empty.md: empty line at the end"),
     ("README.md", "text\n" * 41, "README.md: 41 lines of text, the limit is 40"),
+    ("README.md", "| folder | what |\n|---|---|\n| `gone/` | a |\n", "README.md:3: there is no gone/"),
     ("wide.sv", "// " + "x" * 118 + "\n", "wide.sv:1: 121 columns, the limit is 120"),
     ("broken.toml", "a = \n", "broken.toml: Invalid value"),
     ("twice.toml", "a = 1\na = 2\n", "twice.toml: Cannot overwrite a value"),
@@ -32,7 +33,7 @@ GOOD = {
     "good.toml": "a = 1\n",
     "good.sv": "// " + "x" * 117 + "\n",
     "tool": "#!/usr/bin/env bash\nif true; then :; fi\n",
-    "README.md": "text\n" * 40 + "| table |\n\n```\nexample\n```\n",
+    "README.md": "text\n" * 40 + "| folder |\n|---|\n| `here` |\n\n| file |\n| `gone` |\n\n```\nexample\n```\n",
     "data.csv": "a,b \n\n",
 }
 
@@ -54,6 +55,7 @@ class StyleTest(unittest.TestCase):
         return run(STYLE, "--root", self.root, *names)
 
     def test_good_files_have_no_problem(self):
+        (self.tools / "here").mkdir()
         for name, text in GOOD.items():
             (self.tools / name).write_text(text)
         checked = self.style(*(f"tools/{name}" for name in GOOD))
