@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <utility>
 #include <variant>
@@ -10,6 +11,7 @@
 #include "controller/base/timebase.hpp"
 #include "controller/base/words.hpp"
 #include "cosim/fault/fault_spec.hpp"
+#include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -46,8 +48,26 @@ void CampaignJudge::on_event(const Event& event, const RunPlace& place) {
 void CampaignJudge::on_action(const ScriptAction& action, const RunPlace& place) {
   const auto* fault = std::get_if<FaultSpec>(&action);
   if (fault == nullptr) return;
-  begun_.push_back({place.at, fault_axis(fault->kind).value_or(0)});
+  const bool strong = is_strong_push(fault->kind);
+  begun_.push_back({place.at, strong ? 0 : fault_axis(fault->kind).value_or(0)});
   if (std::holds_alternative<Estop>(fault->kind) && !estop_) estop_ = place.at;
+  if (!strong) return;
+  was_pushed_ = true;
+  push_end_ = std::max(push_end_.value_or(Cycles{}), place.at + to_cycles(*fault_duration_s(fault->kind)));
+}
+
+// Of a joint whose brake or drive does not hold it. The links pass the push on to all axes.
+bool CampaignJudge::is_strong_push(const FaultKind& kind) const {
+  const auto* push = std::get_if<CollisionTorque>(&kind);
+  if (push == nullptr) return false;
+  return std::fabs(push->torque_nm) > limits_.axes.at(static_cast<std::size_t>(push->axis - 1)).withstood_nm;
+}
+
+// No controller holds an arm against a push that is stronger than its brakes. Its motion is judged again when the push
+// is over and the arm has come to rest. What the controller detects, and the pulses, are always judged.
+bool CampaignJudge::is_pushed(Cycles now) {
+  if (push_end_ && now > *push_end_ && rest_rows_ > kRestRows) push_end_.reset();
+  return push_end_.has_value();
 }
 
 void CampaignJudge::on_signal(const Signal& signal, const RunPlace& place) {
@@ -68,10 +88,12 @@ void CampaignJudge::on_row(const TraceRow& row, const IntegerDigest&) {
   if (row.telemetry.underruns != underruns_) detect(Cycles{row.cycle});
   underruns_ = row.telemetry.underruns;
   compare(now);
-  check_range(now);
-  check_speed(now);
+  const bool pushed = is_pushed(Cycles{row.cycle});
+  if (!pushed) check_speed(now);
+  // Without power an arm stays where a push has left it.
+  if (!pushed && !(was_pushed_ && power_off_)) check_range(now);
   if (power_off_) {
-    check_without_power(now);
+    check_without_power(now, pushed);
   } else if (!detected_ && rows_ % kPathTicks == 0) {
     check_path(now);
   }
@@ -143,12 +165,13 @@ void CampaignJudge::check_range(const TruePoint& now) {
   }
 }
 
-void CampaignJudge::check_without_power(const TruePoint& now) {
+void CampaignJudge::check_without_power(const TruePoint& now, bool pushed) {
   constexpr std::size_t kLastPulses = 2;  // ticks
   if (off_rows_ <= kLastPulses || !at_power_off_) {
     at_power_off_ = now;
     return;
   }
+  if (pushed) at_power_off_->motor_counts = now.motor_counts;
   for (std::size_t i = 0; i < limits_.axis_count; ++i) {
     if (std::abs(now.pin_pulses[i] - at_power_off_->pin_pulses[i]) > kLeastPulses) {
       add(Outcome::kMotionAfterStop, fmt::format("axis {} gets pulses after the stop", i + 1));

@@ -61,7 +61,9 @@ class CampaignJudge final : public RunListener {
   void check_path(const TruePoint& now);
   void check_speed(const TruePoint& now);
   void check_range(const TruePoint& now);
-  void check_without_power(const TruePoint& now);
+  void check_without_power(const TruePoint& now, bool pushed);
+  [[nodiscard]] bool is_strong_push(const FaultKind& kind) const;
+  [[nodiscard]] bool is_pushed(Cycles now);
   [[nodiscard]] bool near_path(const TruePoint& now) const;
   [[nodiscard]] bool is_end(const PerAxis<std::int64_t>& counts) const;
   [[nodiscard]] std::optional<Error> power_error() const;
@@ -87,7 +89,9 @@ class CampaignJudge final : public RunListener {
   bool was_on_ = false;
   std::optional<Cycles> power_off_;  // all of it, after it was on
   std::optional<TruePoint> at_power_off_;
-  std::optional<Cycles> estop_;  // demanded
+  std::optional<Cycles> push_end_;  // of a strong push; none: there was no one, or the arm has rested since
+  bool was_pushed_ = false;         // strongly
+  std::optional<Cycles> estop_;     // demanded
   std::vector<Begun> begun_;
   std::vector<Reported> reported_;
   std::int64_t refusals_ = 0;

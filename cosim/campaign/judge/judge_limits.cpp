@@ -14,6 +14,7 @@ constexpr double kSpeedShare = 1.5;           // of the speed limit: corrections
 constexpr double kRunOutDeg = 1;              // beside half of the way to brake: an arm sinks until its brake engages
 constexpr std::int64_t kTolerance = 3;        // counts
 constexpr double kElasticToleranceDeg = 0.3;  // a drive without integral stands beside its reference under load
+constexpr double kWithstoodShare = 0.5;       // of the torque of brake or drive: the other half is for the load
 constexpr double kBrakeS = 0.05;              // besides the time from full speed at full acceleration
 
 AxisLimits axis_limits(const AxisSpec& axis, bool elastic) {
@@ -29,6 +30,10 @@ AxisLimits axis_limits(const AxisSpec& axis, bool elastic) {
   limits.off_path_counts = std::llround(kFollowingShare * axis.following_error_deg * counts_per_deg);
   limits.run_out_counts = std::llround((brake_deg / 2 + kRunOutDeg) * counts_per_deg);
   limits.tolerance_counts = elastic ? std::llround(kElasticToleranceDeg * counts_per_deg) : kTolerance;
+  if (elastic && axis.dynamics) {
+    const double motor_nm = std::min(axis.dynamics->brake_nm, axis.drive.max_torque_nm);
+    limits.withstood_nm = kWithstoodShare * motor_nm * std::fabs(axis.gear_ratio);
+  }
   return limits;
 }
 

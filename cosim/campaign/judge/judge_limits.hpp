@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "controller/base/axes.hpp"
 #include "controller/base/units.hpp"
@@ -17,6 +18,9 @@ struct AxisLimits {
   std::int64_t off_path_counts = 0;   // from its path, before something must have been detected
   std::int64_t run_out_counts = 0;    // of a motor without power
   std::int64_t tolerance_counts = 0;  // of a position at rest
+  // Of a push on the joint, that brake and drive surely withstand beside the load of the axis. No push moves an axis
+  // without dynamics.
+  double withstood_nm = std::numeric_limits<double>::infinity();
 };
 
 struct JudgeLimits {

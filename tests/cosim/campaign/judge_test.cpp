@@ -58,7 +58,7 @@ TruePath planned_path() {
 // A run of which a test changes what it needs.
 class JudgedRun {
  public:
-  JudgedRun() { power(0x3F); }
+  explicit JudgedRun(const RobotSpec& spec = robot()) : limits_{judge_limits(spec)} { power(0x3F); }
 
   // Up to the tick, each with `change(row, tick)`.
   template <class Change>
@@ -83,7 +83,7 @@ class JudgedRun {
  private:
   [[nodiscard]] RunPlace place() const { return {.tick = tick_, .at = cycle_of(tick_)}; }
 
-  const JudgeLimits limits_ = judge_limits(robot());
+  const JudgeLimits limits_;
   const TruePath path_ = planned_path();
   CampaignJudge judge_{limits_, path_, cycle_of(kFaultTick)};
   std::int64_t tick_ = 0;
@@ -220,6 +220,72 @@ TEST(CampaignJudge, MeasuresTheSpeedAlsoWhereRowsAreMissing) {
     });
     EXPECT_EQ(run.verdict().outcome == Outcome::kLimitExceeded, half_counts == 26) << half_counts;
   }
+}
+
+// The same robot with gears and brakes: half of what the brake of a joint holds are 50 N m.
+RobotSpec braked_robot() {
+  RobotSpec spec = robot();
+  spec.plant = kDynamicPlant;
+  for (AxisSpec& axis : spec.axes) {
+    axis.drive.max_torque_nm = 4;
+    axis.dynamics = DynamicsSpec{.brake_nm = 2};
+    axis.max_accel_deg_s2 = 6000;
+  }
+  return spec;
+}
+
+constexpr std::int64_t kPushTicks = 100, kPushedCounts = 40;
+FaultKind push(double torque_nm) {
+  return CollisionTorque{.axis = 2, .torque_nm = torque_nm, .duration_s = 5e-3};
+}
+
+// Axis 1 stands at the stop, but a push moves it, faster than its limit. `later`: counts that it moves long after the
+// push.
+Verdict verdict_of_push(double torque_nm, std::int64_t later) {
+  JudgedRun run{braked_robot()};
+  run.run_to(kFaultTick);
+  run.begin(push(torque_nm));
+  run.report(FaultCause::kEncoderSpeed, 1);
+  run.power(0);
+  run.run_to(kLongTicks, [&](TraceRow& row, std::int64_t tick) {
+    row = row_of(row.tick, planned_counts(kFaultTick));
+    row.motor_counts[0] += std::min(tick - kFaultTick, kPushTicks) * kPushedCounts;
+    row.motor_counts[0] += std::clamp<std::int64_t>((tick - kFaultTick - 500) * kCountsPerTick, 0, later);
+  });
+  return run.verdict();
+}
+
+// No controller holds the arm then, so what it does until it rests is not the controller's fault.
+TEST(CampaignJudge, DoesNotJudgeTheMotionOfAnArmThatIsPushedStrongly) {
+  EXPECT_EQ(verdict_of_push(51, 0).outcome, Outcome::kStopped);
+  EXPECT_EQ(verdict_of_push(-51, 0).outcome, Outcome::kStopped);
+  EXPECT_EQ(verdict_of_push(49, 0).reason, "axis 1 is too fast");
+}
+
+TEST(CampaignJudge, TakesABlameOfAnyAxisAfterAStrongPush) {
+  for (const double torque_nm : {49, 51}) {
+    JudgedRun run{braked_robot()};
+    run.run_to(kFaultTick);
+    run.begin(push(torque_nm));  // of axis 2
+    run.report(FaultCause::kEncoderSpeed, 1);
+    run.power(0);
+    run.run_to(kLongTicks, [](TraceRow& row, std::int64_t) { row = row_of(row.tick, planned_counts(kFaultTick)); });
+    EXPECT_EQ(run.verdict().outcome, torque_nm > 50 ? Outcome::kStopped : Outcome::kWrongFault);
+  }
+}
+
+// From where the push left the axis: half of the way to brake of 1.2 deg, and 1 deg.
+TEST(CampaignJudge, FindsMotionAfterAStrongPush) {
+  EXPECT_EQ(verdict_of_push(51, 2'200).outcome, Outcome::kStopped);
+  EXPECT_EQ(verdict_of_push(51, 2'250).reason, "axis 1 moves after the stop");
+}
+
+TEST(CampaignJudge, FindsAStrongPushThatIsNotDetected) {
+  JudgedRun run{braked_robot()};
+  run.run_to(kFaultTick);
+  run.begin(push(51));
+  run.run_to(kLongTicks, [&](TraceRow& row, std::int64_t tick) { row.motor_counts[0] = tick * kPushedCounts; });
+  EXPECT_EQ(run.verdict().outcome, Outcome::kTooLate);
 }
 
 TEST(CampaignJudge, FindsAnArmThatStandsBeforeItsEnd) {
