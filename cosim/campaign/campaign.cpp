@@ -163,7 +163,7 @@ Scenario with_faults(const Asked& asked, std::int64_t number, const Base& base, 
   for (int i = 0;; ++i) {
     drawn.faults.clear();
     for (std::int64_t j = 0; j < count; ++j) {
-      drawn.faults.push_back(draw_fault(draw, robot, draw.number(base.first_s, base.last_s)));
+      drawn.faults.push_back(draw_fault(draw, robot, draw.number(base.first_s, base.last_s), asked.spec.kinds));
     }
     try {
       return load(asked, drawn);

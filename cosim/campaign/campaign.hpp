@@ -23,8 +23,9 @@ inline constexpr std::int64_t kGroupRuns = 6;
 
 struct CampaignSpec {
   std::uint64_t seed = 1;
-  std::vector<RobotSpec> robots;  // not empty
-  LoadOptions load{};             // with the engine
+  std::vector<RobotSpec> robots;     // not empty
+  std::vector<std::string> kinds{};  // of faults that are drawn; empty: all of fault_kind_names()
+  LoadOptions load{};                // with the engine
   // Changes the system under test, not what the judge expects: a test plants errors by it.
   std::function<void(Scenario&)> plant_error{};
 };

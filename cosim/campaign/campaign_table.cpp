@@ -15,7 +15,8 @@ CampaignTable parsed(const Json& json) {
   table.head = {.seed = head.at("seed").get<std::uint64_t>(),
                 .runs = head.at("runs").get<std::int64_t>(),
                 .engine = head.at("engine").get<std::string>(),
-                .robots = head.at("robots").get<std::vector<std::string>>()};
+                .robots = head.at("robots").get<std::vector<std::string>>(),
+                .only_kinds = head.at("only_kinds").get<std::vector<std::string>>()};
   table.shards = json.at("shards").get<std::vector<std::string>>();
   table.done = json.at("done").get<std::int64_t>();
   table.all = counts_of(json.at("outcomes"));
@@ -56,7 +57,8 @@ void CampaignTable::add(const CampaignResult& result) {
 }
 
 void CampaignTable::merge(const CampaignTable& other, const std::string& file) {
-  if (head != other.head) throw InputError{file, "is of another campaign: seed, runs, engine or robots differ"};
+  if (head != other.head)
+    throw InputError{file, "is of another campaign: seed, runs, engine, robots or kinds of faults differ"};
   add_shards(shards, other.shards, file);
   done += other.done;
   add_counts(all, other.all);
@@ -77,7 +79,8 @@ Json to_json(const CampaignTable& table) {
   json["campaign"] = {{"seed", table.head.seed},
                       {"runs", table.head.runs},
                       {"engine", table.head.engine},
-                      {"robots", table.head.robots}};
+                      {"robots", table.head.robots},
+                      {"only_kinds", table.head.only_kinds}};
   json["shards"] = table.shards;
   json["done"] = table.done;
   json["outcomes"] = counts_json(table.all);

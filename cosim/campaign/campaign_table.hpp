@@ -32,6 +32,7 @@ struct CampaignHead {
   std::int64_t runs = 0;  // of the whole campaign
   std::string engine{};
   std::vector<std::string> robots{};
+  std::vector<std::string> only_kinds{};  // empty: faults of all kinds
   friend bool operator==(const CampaignHead&, const CampaignHead&) = default;
 };
 

@@ -37,6 +37,10 @@ const std::vector<KindKeys>& kinds() {
   return kKinds;
 }
 
+const KindKeys& kind_of(std::string_view name) {
+  return *std::ranges::find(kinds(), name, &KindKeys::name);
+}
+
 // Of the variant `counts`, elements of arrays included.
 const std::vector<std::uint32_t>& registers() {
   static const std::vector<std::uint32_t> kRegisters = [] {
@@ -116,8 +120,8 @@ const std::vector<std::string_view>& fault_kind_names() {
   return kNames;
 }
 
-std::string draw_fault(Draw& draw, const RobotSpec& robot, double at_s) {
-  const KindKeys& kind = draw.one_of(kinds());
+std::string draw_fault(Draw& draw, const RobotSpec& robot, double at_s, const std::vector<std::string>& names) {
+  const KindKeys& kind = names.empty() ? draw.one_of(kinds()) : kind_of(draw.one_of(names));
   std::string text = fmt::format("at_s = {}\nkind = \"{}\"\n", fixed_text(at_s, 7), kind.name);
   Written written;
   for (const KeyInfo& key : kind.keys) {

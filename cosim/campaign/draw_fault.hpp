@@ -14,7 +14,9 @@ namespace armature::cosim {
 // The names of all kinds that need no inside of a part, in the order of FaultKind.
 [[nodiscard]] const std::vector<std::string_view>& fault_kind_names();
 
-// The keys of a table [[fault]] that begins at `at_s`. The loader may refuse them, as values can exclude each other.
-[[nodiscard]] std::string draw_fault(Draw& draw, const RobotSpec& robot, double at_s);
+// The keys of a table [[fault]] that begins at `at_s`, of one of the kinds `names`, which are of fault_kind_names();
+// empty: of all. The loader may refuse them, as values can exclude each other.
+[[nodiscard]] std::string draw_fault(Draw& draw, const RobotSpec& robot, double at_s,
+                                     const std::vector<std::string>& names = {});
 
 }  // namespace armature::cosim

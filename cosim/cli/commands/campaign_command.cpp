@@ -15,6 +15,7 @@
 #include "cosim/campaign/campaign_part.hpp"
 #include "cosim/campaign/campaign_report.hpp"
 #include "cosim/campaign/campaign_table.hpp"
+#include "cosim/campaign/draw_fault.hpp"
 #include "cosim/campaign/shrink.hpp"
 #include "cosim/cli/command/command.hpp"
 #include "cosim/cli/command/progress_count.hpp"
@@ -39,6 +40,7 @@ constexpr const char* kCampaignDetails = R"(Examples:
   armature campaign --runs 12
   armature campaign --runs 12 --jobs 2 --junit campaign.xml --html campaign.html
   armature campaign --only 7
+  armature campaign --runs 12 --kind pulse_loss --kind encoder_noise --robot kuka_kr6_r900
   armature campaign --runs 12 --shard 0/2 --result first.json
   armature campaign --runs 12 --shard 1/2 --result second.json
   armature campaign --merge first.json second.json
@@ -52,8 +54,8 @@ and 'failed' (an invariant does not hold). The judge looks at motors, pins and s
 
 The last columns of the table are the ticks of 50 us from the begin of the fault to the first response. For each silent
 error it prints the command that repeats the run. The first of them are shrunk: --out gets a scenario with the fewest
-moves and faults that still fail, which 'armature run' takes. Results depend on --seed, --engine and the robots alone. A
-shard computes the groups of six runs whose number modulo N is I. The environment variables TEST_TOTAL_SHARDS and
+moves and faults that still fail, which 'armature run' takes. Results depend on --seed, --engine, --robot and --kind
+alone. A shard computes the groups of six runs whose number modulo N is I. The environment variables TEST_TOTAL_SHARDS and
 TEST_SHARD_INDEX, as of GoogleTest, mean the same as --shard.
 Exit code: 0 no silent error, 1 a silent error, or a shard is missing, 2 bad input, 3 internal error, 130 interrupted.)";
 
@@ -64,6 +66,7 @@ struct CampaignOptions {
   std::string shard;                // I/N; empty: of the environment
   std::optional<Engine> engine;     // none: the model
   std::vector<std::string> robots;  // empty: those of the program
+  std::vector<std::string> kinds;   // of faults; empty: all
   std::optional<std::int64_t> only;
   std::filesystem::path out = "out/campaign";
   int shrunk = 3;  // silent errors that are shrunk
@@ -85,7 +88,7 @@ std::vector<std::string> default_robots(const SearchPath& path) {
 }
 
 CampaignSpec campaign_spec(const CampaignOptions& given, const SearchPath& path) {
-  CampaignSpec spec{.seed = given.seed, .robots = {}, .load = {.search_path = path}};
+  CampaignSpec spec{.seed = given.seed, .robots = {}, .kinds = given.kinds, .load = {.search_path = path}};
   spec.load.logic.engine = engine_of(given);
   std::vector<std::string> names = given.robots;
   if (names.empty()) names = default_robots(path);
@@ -103,6 +106,7 @@ std::string replay_command(const CampaignOptions& given) {
   std::string command = fmt::format("armature campaign --seed {}", given.seed);
   if (engine_of(given) != Engine::kModel) command += fmt::format(" --engine {}", word_of(*given.engine));
   for (const std::string& robot : given.robots) command += " --robot " + shell_word(robot);
+  for (const std::string& kind : given.kinds) command += " --kind " + kind;
   return command;
 }
 
@@ -166,6 +170,7 @@ int merge_shards(const CampaignOptions& given, const SearchPath& path) {
   CampaignOptions of_table = given;
   of_table.seed = merged.head.seed;
   of_table.engine = enumerator_of<Engine>(merged.head.engine);
+  of_table.kinds = merged.head.only_kinds;
   if (merged.head.robots != default_robots(path)) of_table.robots = merged.head.robots;
   const std::string replay = replay_command(of_table);
   write_results(given, merged, replay);
@@ -191,6 +196,7 @@ int run_campaign(const CampaignOptions& given, const SearchPath& path) {
   const std::vector<CampaignResult> results = run_all(given, spec, shard);
   CampaignTable table{
       .head = {.seed = given.seed, .runs = given.runs, .engine = std::string{word_of(engine_of(given))}}};
+  table.head.only_kinds = given.kinds;
   for (const RobotSpec& robot : spec.robots) table.head.robots.push_back(robot.name);
   if (shard.total > 1) table.shards = {fmt::format("{}/{}", shard.index, shard.total)};
   for (const CampaignResult& result : results) table.add(result);
@@ -218,6 +224,8 @@ CommandAction declare_campaign(CLI::App& app) {
   app.add_option("--robot", options->robots,
                  "Robot to draw from (default: those of the program that can carry their payload). May be repeated")
       ->type_name(kRobotValue);
+  app.add_option("--kind", options->kinds, "Kind of fault to draw (default: all). May be repeated")
+      ->check(CLI::IsMember(std::vector<std::string>(fault_kind_names().begin(), fault_kind_names().end())));
   app.add_option("--only", options->only, "Only the run of this number, from 0; its scenario is written to --out")
       ->check(CLI::Range(std::int64_t{0}, kMostRuns))
       ->excludes(shard)

@@ -75,6 +75,19 @@ TEST(CampaignDraw, DrawsEveryKindOfFaultWithValuesThatTheLoaderTakes) {
   for (const auto& [key, texts] : values) EXPECT_GT(texts.size(), 1u) << key;
 }
 
+TEST(CampaignDraw, DrawsOnlyTheKindsThatItIsGiven) {
+  const std::vector<std::string> names{"pulse_loss", "estop"};
+  std::map<std::string, int> drawn;
+  for (std::uint64_t i = 0; i < 100; ++i) {
+    Draw draw{5, 1, i};
+    const std::string text = draw_fault(draw, vo2021(), 0.5, names);
+    const std::size_t begin = text.find('"') + 1;
+    ++drawn[text.substr(begin, text.find('"', begin) - begin)];
+  }
+  EXPECT_EQ(drawn.size(), 2u);
+  for (const std::string& name : names) EXPECT_GT(drawn[name], 30) << name;
+}
+
 TEST(CampaignDraw, KnowsAllKinds) {
   std::size_t count = 0;
   for_each_kind<FaultKind>([&]<class Kind>(std::type_identity<Kind>) {
