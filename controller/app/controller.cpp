@@ -33,7 +33,7 @@ void sleep_for_ever(RegisterBus& bus) noexcept {
 
 }  // namespace
 
-Controller::Controller(host_memory::HostMemory& memory) noexcept
+Controller::Controller(host_memory::HostMemory& memory, std::span<const std::uint32_t> code) noexcept
     : boot_{memory},
       planning_{.sync = boot_.config().sync,
                 .flange_T_tool = boot_.config().flange_T_tool,
@@ -47,6 +47,7 @@ Controller::Controller(host_memory::HostMemory& memory) noexcept
       belt_{memory},
       receiver_{memory, inboxes_},
       core1_{channel_, core1_writer_},
+      code_check_{code, channel_.loop},
       dispatcher_{boot_.robot(), core1_arm_, planning_, inboxes_, channel_, tool_, core1_},
       store_{{.robot = boot_.robot(),
               .arm = core1_arm_,
@@ -59,6 +60,7 @@ Controller::Controller(host_memory::HostMemory& memory) noexcept
   core1_.add(receiver_);
   core1_.add(program_);
   core1_.add(dispatcher_);
+  core1_.add(code_check_);
   core1_.add(Interrupts::kGpio, tool_);
   if (!boot_.config().pendant) return;
   pendant_.emplace(*boot_.config().pendant, boot_.robot(), core1_arm_, planning_, channel_.loop.position,

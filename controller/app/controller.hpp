@@ -4,10 +4,13 @@
 // 0. Both mains are ordinary blocking code over RegisterBus; neither allocates, throws or prints.
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <span>
 
 #include "controller/activity/channel.hpp"
 #include "controller/activity/tool_io.hpp"
+#include "controller/app/code_check.hpp"
 #include "controller/app/core1_loop.hpp"
 #include "controller/app/host_receiver.hpp"
 #include "controller/cell/planning_config.hpp"
@@ -30,7 +33,8 @@ class Controller {
   // The memory must outlive the controller. It is all that the controller and its host share: robot, settings, program,
   // commands, events and telemetry pass through it. The host prepares it (host_memory/boot_memory.hpp) and wakes core 1
   // for new commands. If the memory is wrong, the controller tells the host and both cores sleep for ever.
-  explicit Controller(host_memory::HostMemory& memory) noexcept;
+  // `code`: code and constants of the firmware, which core 1 checks for changes; must outlive the controller.
+  explicit Controller(host_memory::HostMemory& memory, std::span<const std::uint32_t> code = {}) noexcept;
   Controller(const Controller&) = delete;
   Controller& operator=(const Controller&) = delete;
 
@@ -56,6 +60,7 @@ class Controller {
   Channel channel_;
   HostReceiver receiver_;
   Core1Loop core1_;
+  CodeCheck code_check_;
   ToolIo tool_;
   Dispatcher dispatcher_;
   ProgramStore store_;

@@ -14,7 +14,7 @@ namespace armature {
 
 class Core1Loop final : public EventListener {
  public:
-  static constexpr std::size_t kMaxClients = 4;
+  static constexpr std::size_t kMaxClients = 5;
   static constexpr std::size_t kMaxHandlers = 4;
 
   // `host` is notified of the events that core 1 causes. References must outlive the loop.

@@ -13,6 +13,7 @@
 extern "C" {
 extern armature::host_memory::HostMemory host_memory;  // memory.ld
 extern std::array<std::uint32_t, 4096> page_table;
+extern const std::uint32_t code_begin[], code_end[];
 extern void (*init_array_begin[])();
 extern void (*init_array_end[])();
 void start_core1();
@@ -47,7 +48,7 @@ extern "C" void write_page_table() {
 // Constructs the controller, with all that the host has written into the memory, and starts core 1.
 extern "C" void prepare_core0() {
   for (auto* function = init_array_begin; function != init_array_end; ++function) (*function)();
-  controller = new (storage.data()) Controller{host_memory};
+  controller = new (storage.data()) Controller{host_memory, {code_begin, code_end}};
   BoardBus::start_mpcore();
   *reinterpret_cast<volatile std::uint32_t*>(kCore1Start) = reinterpret_cast<std::uint32_t>(&start_core1);
   asm volatile("dsb\n\tsev" ::: "memory");

@@ -24,6 +24,7 @@ enum class FaultCause : std::uint8_t {
   kEncoderAccel,       // an encoder changes its speed faster than the limit of its axis
   kCore1Silent,        // core 1 has not answered for 0.25 s: nobody plans, and nobody listens to the pendant
   kServoEnable,        // the enable of a drive is low, although core 0 has set it and no stop is latched
+  kCodeChanged,        // the code of the cores is not what it was at the start; only a new start helps
 };
 
 struct Faulted {

@@ -40,6 +40,8 @@ struct LoopChannel {
   // Core 0 -> core 1, with an event, and back: the newest question of the watch, and the last one that core 1 has seen.
   std::atomic<std::uint32_t> question{kNotStarted + 1};
   std::atomic<std::uint32_t> answered{kNotStarted};
+  // Core 1 -> core 0: a word of the code is not what it was at the start (app/code_check.hpp).
+  std::atomic<bool> code_changed{false};
   std::uint32_t number = 0;  // of core 0 only: as in an answer
 };
 
@@ -68,6 +70,9 @@ class Core1Watch {
     channel_.question.store(question + 1, std::memory_order_relaxed);
     bus.send_event();
   }
+
+  // Whether core 1 has found a change of the code. Both cores may compute anything then.
+  [[nodiscard]] bool code_changed() const noexcept { return channel_.code_changed.load(std::memory_order_relaxed); }
 
   // Whether core 1 has not answered for kPatience.
   [[nodiscard]] bool silent() const noexcept { return silent_; }

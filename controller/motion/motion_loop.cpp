@@ -84,6 +84,7 @@ void MotionLoop::tick() noexcept {
   const bool counts_ticks = input.always_counted == PulseTrain::kAllAxes;
   time_.observe(counts_ticks ? std::optional{input.new_underruns} : std::nullopt);
   const bool was_in_fault = telemetry_.state == MotionState::kFault;
+  const FaultCause cause_before = telemetry_.fault;
   if (was_in_fault) {
     tick_in_fault(input);
   } else {
@@ -104,7 +105,7 @@ void MotionLoop::tick() noexcept {
   update_telemetry(input);
   observer_.on_tick(telemetry_);
   const bool in_fault = telemetry_.state == MotionState::kFault;
-  if (!was_in_fault && in_fault) report_fault();
+  if (in_fault && telemetry_.fault != cause_before) report_fault();
   if (was_in_fault && !in_fault) observer_.on_event(FaultCleared{.tick = telemetry_.tick});
 }
 
@@ -131,6 +132,7 @@ MotionLoop::Finding MotionLoop::find_fault(const LogicInput& input) const noexce
   }
   if (time_.stood_still() || time_.wrong()) return {FaultCause::kClock};
   if (watch_.silent()) return {FaultCause::kCore1Silent};
+  if (watch_.code_changed()) return {FaultCause::kCodeChanged};
   if (inverse_ != nullptr && inverse_->differs) return {FaultCause::kInverseKinematics, inverse_->differing_axis};
   if (input.drives.alarm != 0) return {FaultCause::kDriveAlarm, first_axis(input.drives.alarm)};
   if (input.encoder_faults.any()) {
@@ -256,7 +258,13 @@ void MotionLoop::tick_in_fault(const LogicInput& input) noexcept {
     clearing_ = true;
   }
   source_.cancel(telemetry_.tick);
-  logic_.commit({});
+  if (watch_.code_changed()) [[unlikely]] {
+    // Whatever this core commits may be wrong. Without a commit the watchdog of the logic holds the stop.
+    telemetry_.fault = FaultCause::kCodeChanged;
+    telemetry_.fault_axis = 0;
+  } else {
+    logic_.commit({});
+  }
   if (channel_.wake_each_tick.load(std::memory_order_relaxed)) bus_.send_event();
   if (!ended) return;
   logic_.set_servo(true);
@@ -271,8 +279,8 @@ void MotionLoop::tick_in_fault(const LogicInput& input) noexcept {
 
 bool MotionLoop::fault_can_end(const LogicInput& input) const noexcept {
   const bool stopped = input.status.estop || input.status.estop_pin || input.status.watchdog;
-  return !stopped && !time_.wrong() && input.drives.alarm == 0 && !input.encoder_faults.any() &&
-         logic_.uncounted_axes() == 0 && still_ >= kStandstill;
+  return !stopped && !time_.wrong() && !watch_.code_changed() && input.drives.alarm == 0 &&
+         !input.encoder_faults.any() && logic_.uncounted_axes() == 0 && still_ >= kStandstill;
 }
 
 void MotionLoop::update_standstill(const PerAxis<Counts>& encoder) noexcept {

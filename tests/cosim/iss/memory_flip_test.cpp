@@ -33,6 +33,9 @@ class MemoryFlips : public testing::Test {
 TEST_F(MemoryFlips, TheCommittedRowsAreWhatTheRunsShow) {
   const std::vector<test::FaultCase> rows{
       {.fault = R"(kind = "memory_flip", symbol = "armature_charge", bit = 28)", .firmware = true},
+      {.fault = R"(kind = "memory_flip", symbol = "start_core1", bit = 3)",
+       .why = "Nothing executes it any more; core 1 compares all code with what it was.",
+       .firmware = true},
       {.fault = R"(kind = "memory_flip", symbol = "host_memory", offset = 184, bit = 30)",
        .why = "The controller reads the robot before it starts, and not any more.",
        .firmware = true},
