@@ -53,12 +53,17 @@ void RunFactsCollector::on_event(const Event& event, Cycles at) {
                    no_longer_waits(done.tag);
                  },
                  [&](const Faulted& fault) {
+                   if (!in_fault_) stop_cause_ = fault.cause;  // another one in Fault stops nothing
+                   in_fault_ = true;
                    facts_.faults.push_back(
                        {.cause = fault.cause, .where = {.tick = facts_.ticks, .at = at, .axis = fault.axis}});
                    injections_.add(facts_.faults.back());
                    facts_.stops.demand(std::string{word_of(fault.cause)}, facts_.faults.back().where);
                  },
-                 [&](const FaultCleared&) { facts_.resets.push_back(at); },
+                 [&](const FaultCleared&) {
+                   in_fault_ = false;
+                   facts_.resets.push_back(at);
+                 },
                  [&](const JogStarted& jog) { facts_.jogs.push_back({.started = jog}); },
                  [&](const JogEnded& jog) { facts_.jogs.back().ended = jog; },
                  [&](const HomingStarted& axis) { facts_.homings.push_back({.started = axis}); },
@@ -184,7 +189,7 @@ RunFacts RunFactsCollector::facts() const {
   if (facts.controller_silent || (stopped_ && facts.faults.empty())) {
     facts.stopped_by = kControllerSilent;
   } else if (stopped_) {
-    facts.stopped_by = word_of(facts.faults.back().cause);
+    facts.stopped_by = word_of(stop_cause_);
   }
   if (last_.tool_point) {
     facts.final_tcp_mm = last_.tool_point->encoder_mm;

@@ -238,6 +238,8 @@ class RunFactsCollector {
   std::size_t over_ = 0;                        // of facts_.moves: so many have reached their end or were cut short
   bool stopped_ = false;                        // all servo enables have dropped
   bool servo_off_ = false;                      // all are low and were not before
+  bool in_fault_ = false;                       // of the controller, as it reports
+  FaultCause stop_cause_ = FaultCause::kNone;   // with which it entered Fault the last time
   std::int64_t reference_moved_tick_ = 0;       // last tick in which the reference changed
   std::int64_t outside_tick_ = -1;              // last tick with an encoder outside the band, or before the change
 };

@@ -50,6 +50,21 @@ TEST_F(RunFactsStops, TheLastStopIsTheOneThatCounts) {
   EXPECT_EQ(collector.facts().outcome(), "fault:controller_silent");
 }
 
+// Only the first of them has dropped the servo enables.
+TEST_F(RunFactsStops, AFaultThatIsReportedInFaultStopsNothing) {
+  next.stopped = true;
+  next.telemetry.state = MotionState::kFault;
+  report(Faulted{.cause = FaultCause::kFollowingError}, Cycles{1});
+  report(Faulted{.cause = FaultCause::kCodeChanged}, Cycles{2});
+  next.telemetry.fault = FaultCause::kCodeChanged;
+  tick(0, 0);
+  EXPECT_EQ(collector.facts().stopped_by, "following_error");
+  EXPECT_EQ(collector.facts().outcome(), "fault:code_changed");
+  report(FaultCleared{}, Cycles{3});
+  report(Faulted{.cause = FaultCause::kEstop}, Cycles{4});
+  EXPECT_EQ(collector.facts().stopped_by, "estop");
+}
+
 // No row shows the stop when the triggers or the clock have stopped.
 TEST_F(RunFactsStops, EnablesThatDropAfterTheLastRowAreAStop) {
   collector.add_servo_enables(0x3F, Cycles{10});
