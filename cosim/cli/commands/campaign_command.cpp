@@ -224,8 +224,11 @@ CommandAction declare_campaign(CLI::App& app) {
   app.add_option("--robot", options->robots,
                  "Robot to draw from (default: those of the program that can carry their payload). May be repeated")
       ->type_name(kRobotValue);
-  app.add_option("--kind", options->kinds, "Kind of fault to draw (default: all). May be repeated")
-      ->check(CLI::IsMember(std::vector<std::string>(fault_kind_names().begin(), fault_kind_names().end())));
+  // The description of the check is a list of all kinds, too long for a line of the help.
+  app.add_option("--kind", options->kinds, "Kind of fault to draw, as of [[fault]] (default: all). May be repeated")
+      ->type_name("KIND")
+      ->check(CLI::IsMember(std::vector<std::string>(fault_kind_names().begin(), fault_kind_names().end()))
+                  .description(""));
   app.add_option("--only", options->only, "Only the run of this number, from 0; its scenario is written to --out")
       ->check(CLI::Range(std::int64_t{0}, kMostRuns))
       ->excludes(shard)
