@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "tests/controller/support/controller_rig.hpp"
@@ -95,7 +97,8 @@ struct CodeRig {
                     }};
 };
 
-constexpr std::int64_t kFlipped = 10'500, kPass = 1'000 * std::int64_t{CodeCheck::kParts};
+constexpr std::int64_t kFlipped = 10'500;
+constexpr std::int64_t kPass = Core1Watch::kPeriod.value() * std::int64_t{CodeCheck::kParts};
 
 TEST(CodeCheck, AChangeStopsTheArmForGood) {
   CodeRig tested;
