@@ -98,7 +98,7 @@ void MotionLoop::tick() noexcept {
       enter_fault(finding);
     } else if (source_.take_order() == SetPointSource::Order::kSwitchOff) {
       enter_fault({FaultCause::kDrivesOff});
-    } else if (!input.status.pending) {
+    } else if (!emission_.is_waiting()) {
       follow_source(input);
     }
   }
@@ -110,13 +110,15 @@ void MotionLoop::tick() noexcept {
 }
 
 void MotionLoop::account_for_emission(const LogicInput& input) noexcept {
-  emission_.observe(input.status.sequence, input.new_underruns, [&](const PerAxis<Pulses>& counts) {
-    for (std::size_t axis = 0; axis < kAxes; ++axis) axes_[axis].tick_emitted(counts[axis]);
-  });
+  emission_.observe(input.status.sequence, input.status.pending, input.new_underruns,
+                    [&](const PerAxis<Pulses>& counts) {
+                      for (std::size_t axis = 0; axis < kAxes; ++axis) axes_[axis].tick_emitted(counts[axis]);
+                    });
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (input.not_emitted[axis] != Pulses{0}) axes_[axis].not_emitted(input.not_emitted[axis]);
   }
-  if (emission_.uncertain()) [[unlikely]] {
+  // A stopped logic discards sets, too: the fault that follows reads what was emitted.
+  if (emission_.uncertain() && !input.status.estop && !input.status.watchdog) [[unlikely]] {
     const PerAxis<Pulses>& emitted = logic_.emitted();
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       axes_[axis].set_emitted(emitted[axis], emission_.active()[axis]);

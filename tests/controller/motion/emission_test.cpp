@@ -14,10 +14,14 @@ PerAxis<Pulses> all(std::int64_t count) {
   return counts;
 }
 
+constexpr bool kPending = true;
+
 // What axis 1 emitted in each tick that has ended.
-std::vector<std::int64_t> observe(Emission& emission, std::uint16_t sequence, std::uint32_t underruns) {
+std::vector<std::int64_t> observe(Emission& emission, std::uint16_t sequence, std::uint32_t underruns,
+                                  bool pending = false) {
   std::vector<std::int64_t> ended;
-  emission.observe(sequence, underruns, [&](const PerAxis<Pulses>& counts) { ended.push_back(counts[0].value()); });
+  emission.observe(sequence, pending, underruns,
+                   [&](const PerAxis<Pulses>& counts) { ended.push_back(counts[0].value()); });
   return ended;
 }
 
@@ -37,8 +41,8 @@ TEST(Emission, ALateSetIsEmittedOneTickLater) {
   Emission emission;
   emission.committed(all(5), 1);
   (void)observe(emission, 1, 0);
-  emission.committed(all(6), 2);                 // after its trigger
-  EXPECT_EQ(observe(emission, 1, 1), Ended{5});  // the tick after the set before was empty
+  emission.committed(all(6), 2);                           // after its trigger
+  EXPECT_EQ(observe(emission, 1, 1, kPending), Ended{5});  // the tick after the set before was empty
   EXPECT_EQ(observe(emission, 2, 0), Ended{0});
   emission.committed(all(7), 3);
   EXPECT_EQ(observe(emission, 3, 0), Ended{6});
@@ -71,7 +75,47 @@ TEST(Emission, IsUncertainAfterASetThatNobodyKnows) {
 TEST(Emission, NothingEndsWithoutATrigger) {
   Emission emission;
   emission.committed(all(5), 1);
-  EXPECT_EQ(observe(emission, 0, 0), Ended{});
+  EXPECT_EQ(observe(emission, 0, 0, kPending), Ended{});
+  EXPECT_TRUE(emission.is_waiting());
+  EXPECT_FALSE(emission.uncertain());
+}
+
+TEST(Emission, ALostSetDoesNotWaitAndMakesItUncertain) {
+  Emission emission;
+  emission.committed(all(5), 1);
+  (void)observe(emission, 1, 0);
+  emission.committed(all(6), 2);
+  EXPECT_EQ(observe(emission, 1, 1), Ended{5});
+  EXPECT_FALSE(emission.is_waiting());
+  EXPECT_TRUE(emission.uncertain());
+  emission.committed(all(7), 3);
+  EXPECT_EQ(observe(emission, 3, 0), Ended{0});
+}
+
+TEST(Emission, ASetUnderTheNumberOfTheOneBeforeHasEndedItsTick) {
+  Emission emission;
+  emission.committed(all(5), 1);
+  (void)observe(emission, 1, 0);
+  emission.committed(all(6), 2);
+  EXPECT_EQ(observe(emission, 1, 0), Ended{5});
+  EXPECT_FALSE(emission.is_waiting());
+  EXPECT_TRUE(emission.uncertain());
+  emission.committed(all(7), 3);
+  EXPECT_EQ(observe(emission, 3, 0), Ended{0});  // in truth 6
+  EXPECT_TRUE(emission.uncertain());
+}
+
+TEST(Emission, IsUncertainWhileASetWaitsThatWasNotCommitted) {
+  Emission emission;
+  emission.committed(all(5), 1);
+  EXPECT_EQ(observe(emission, 1, 0, kPending), Ended{0});
+  EXPECT_FALSE(emission.is_waiting());  // the next one may be committed
+  EXPECT_TRUE(emission.uncertain());
+  emission.committed(all(6), 2);
+  EXPECT_EQ(observe(emission, 2, 0), Ended{5});
+  emission.committed(all(7), 3);
+  EXPECT_EQ(observe(emission, 3, 0), Ended{6});
+  EXPECT_FALSE(emission.uncertain());
 }
 
 TEST(Emission, ResetForgetsWhatWaits) {
