@@ -85,6 +85,7 @@ void FaultInjector::start(const StrayWrite& fault) {
 
 void FaultInjector::start(const BlockHang& fault) {
   blocks_hang_ = true;
+  motion_hangs_ = motion_hangs_ || fault.clock != ClockGroup::kIo;
   targets_.soc.stop_clock_of(fault.clock);
 }
 

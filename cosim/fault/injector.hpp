@@ -48,10 +48,12 @@ class FaultInjector {
   // Whether no fault stops the clock of the logic.
   [[nodiscard]] bool clock_runs() const { return !active_.any<ClockStop>(); }
 
-  // Whether no fault goes on, and no block or encoder is as a fault has left it.
-  [[nodiscard]] bool is_quiet() const {
-    return active_.empty() && !blocks_hang_ && lines_.is_quiet() && errors_.empty();
-  }
+  // Whether no fault goes on that may change pulses or encoder lines, and no block of the motion and no encoder is as a
+  // fault has left it.
+  [[nodiscard]] bool is_quiet() const { return active_.empty() && !motion_hangs_ && lines_.is_quiet(); }
+
+  // Whether no fault waits for an access of a core.
+  [[nodiscard]] bool leaves_accesses_alone() const { return errors_.empty(); }
 
   // The axes whose encoder has had a fault, one bit each: POSITION need not follow the motor any more.
   [[nodiscard]] std::uint8_t false_encoders() const { return lines_.false_encoders(); }
@@ -114,7 +116,7 @@ class FaultInjector {
   LineFaults lines_;
   Cycles now_{};  // of begin() or end()
   ActiveFaults active_;
-  bool blocks_hang_ = false;
+  bool blocks_hang_ = false, motion_hangs_ = false;
   std::vector<SlaveError> errors_;  // with the accesses that are left
   bool bus_errs_ = false;           // by SlaveError, or because a core may access anything
   bool flops_flipped_ = false;

@@ -17,11 +17,15 @@
 #include <variant>
 #include <vector>
 
+#include "controller/regs/encoder_regs.hpp"
+#include "controller/regs/pulse_train_regs.hpp"
+#include "controller/regs/soc_map.hpp"
 #include "cosim/kernel/scenario_soc.hpp"
 #include "cosim/kernel/simulation.hpp"
 #include "cosim/scenario/files/scenario_loader.hpp"
 #include "cosim/time/clock.hpp"
 #include "tests/controller/support/draws.hpp"
+#include "tests/cosim/kernel/other_soc.hpp"
 #include "tests/support/silent_listener.hpp"
 #include "tests/support/split_mix.hpp"
 
@@ -29,73 +33,10 @@ namespace armature::cosim {
 namespace {
 
 using armature::test::SplitMix;
+using test::AccessTimes;
+using test::OtherSoc;
 
 constexpr std::uint64_t kWholeTicksSeed = 2026;
-
-// When an access of a core that runs ahead begins and ends.
-struct AccessTimes {
-  Cycles begins{}, ends{};
-};
-
-// A chip that gives no whole ticks, or one that is disturbed at random.
-class OtherSoc final : public Soc, private MotionPort {
- public:
-  // `rarity`: one access of so many disturbs, and one tick of so many does not begin as a whole; 0: no tick does.
-  // Accesses that run ahead are added to `accesses`.
-  OtherSoc(std::unique_ptr<Soc> soc, std::uint32_t rarity, std::uint64_t seed, std::vector<AccessTimes>& accesses)
-      : soc_{std::move(soc)}, port_{soc_->motion_port()}, rarity_{rarity}, random_{seed}, accesses_{&accesses} {}
-
-  Cycles now() const override { return soc_->now(); }
-  bool advance(Cycles limit, StopOn stop_on) override { return soc_->advance(limit, stop_on); }
-  Cycles quiet_until() const override { return soc_->quiet_until(); }
-  Progress access(const BusRequest& request, Cycles at, Cycles limit) override {
-    return soc_->access(request, at, limit);
-  }
-  std::optional<std::uint32_t> access_unnoticed(const BusRequest& request, TimeAhead& time) override {
-    if (rarity_ != 0 && now_and_then()) return std::nullopt;
-    const Cycles begins = time.now;
-    const std::optional<std::uint32_t> data = soc_->access_unnoticed(request, time);
-    if (data) accesses_->push_back({begins, time.now});
-    return data;
-  }
-  void set_clock_running(bool running) override { soc_->set_clock_running(running); }
-  void stop_clock_of(ClockGroup group) override { soc_->stop_clock_of(group); }
-  bool idle() const override { return soc_->idle(); }
-  std::optional<Cycles> start(const BusRequest& request) override { return soc_->start(request); }
-  bool has_response() const override { return soc_->has_response(); }
-  std::optional<BusResponse> pop_response() override { return soc_->pop_response(); }
-  Cycles access_timeout() const override { return soc_->access_timeout(); }
-  void set_inputs(const SocInputs& inputs) override { soc_->set_inputs(inputs); }
-  const SocOutputs& outputs() const override { return soc_->outputs(); }
-  std::uint8_t interrupts() const override { return soc_->interrupts(); }
-  void open_wave(const std::filesystem::path& file, WaveFormat format) override { soc_->open_wave(file, format); }
-  void close_wave() override { soc_->close_wave(); }
-  MotionPort* motion_port() override { return rarity_ != 0 && soc_->motion_port() != nullptr ? this : nullptr; }
-
- private:
-  DecoderTimes decoder_times() const override { return port_->decoder_times(); }
-  std::optional<TickPulses> begin() const override { return now_and_then() ? std::nullopt : port_->begin(); }
-  bool leave_out(const LineHistory& history) override { return port_->leave_out(history); }
-  bool expect(const PerAxis<Counts>& counts, const PerAxis<std::optional<Counts>>& index) override {
-    return !now_and_then() && port_->expect(counts, index);
-  }
-  void finish(const TickPulses& pulses) override { port_->finish(pulses); }
-  bool disturbs(const BusRequest& request) const override { return now_and_then() || port_->disturbs(request); }
-  void continue_after(Cycles at, const LineHistory& history, bool begun) override {
-    port_->continue_after(at, history, begun);
-  }
-  StepPins step_pins() const override { return port_->step_pins(); }
-  Cycles catch_up(Cycles from, Cycles until, const EncoderLines& lines) override {
-    return port_->catch_up(from, until, lines);
-  }
-  bool now_and_then() const { return random_.below(rarity_) == 0; }
-
-  std::unique_ptr<Soc> soc_;
-  MotionPort* port_;
-  std::uint32_t rarity_;
-  mutable SplitMix random_;
-  std::vector<AccessTimes>* accesses_;
-};
 
 // All that a run shows.
 class Seen final : public test::SilentListener {
@@ -223,6 +164,11 @@ std::vector<std::int64_t> cycles_of_accesses(std::vector<AccessTimes> accesses, 
   return cycles;
 }
 
+// Registers that core 0 reads or writes in each tick, and one that it does not read.
+constexpr std::int64_t kPosition = regs::soc::kEncoderBase + regs::encoder::kPositionOffset;
+constexpr std::int64_t kCommit = regs::soc::kPulseTrainBase + regs::pulse_train::kCommitOffset;
+constexpr std::int64_t kNeverRead = regs::soc::kPulseTrainBase + regs::pulse_train::kIdOffset;
+
 TEST(WholeTicks, AFaultAtAnyCycleOfATickGivesTheSame) {
   SplitMix random{kWholeTicksSeed + 2};
   Scenario scenario = random_moves(random);
@@ -235,12 +181,27 @@ TEST(WholeTicks, AFaultAtAnyCycleOfATickGivesTheSame) {
     for (const FaultKind& kind : std::vector<FaultKind>{
              Estop{.duration_s = 0.002}, ClockStop{.duration_s = 0.001}, PulseLoss{.axis = 1, .count = 3},
              BlockHang{.clock = ClockGroup::kMotion}, BlockHang{.clock = ClockGroup::kEncoder},
+             BlockHang{.clock = ClockGroup::kIo}, SlaveError{.address = kPosition, .count = 1},
+             SlaveError{.address = kCommit, .count = 1}, SlaveError{.address = kNeverRead, .count = 1},
              UartNoise{.width_us = 1, .mean_gap_us = 30, .duration_s = 0.002}}) {
       SCOPED_TRACE(testing::Message() << "cycle " << cycle << ", fault " << kind.index());
       scenario.faults = {{.at_s = at_s, .kind = kind}};
       const Seen edges = run(scenario, 0);
       ASSERT_NO_FATAL_FAILURE(expect_equal(run(scenario, 1'000'000'000), edges));
     }
+  }
+}
+
+TEST(WholeTicks, AFaultThatNoPulseAndNoEncoderSeesLetsTheTicksBeWhole) {
+  SplitMix random{kWholeTicksSeed + 3};
+  Scenario scenario = random_moves(random);
+  scenario.duration_s = 0.03;
+  scenario.faults.clear();
+  const std::int64_t without = run(scenario, 1'000'000'000).end.whole_ticks;
+  for (const FaultKind& kind :
+       std::vector<FaultKind>{BlockHang{.clock = ClockGroup::kIo}, SlaveError{.address = kNeverRead, .count = 1}}) {
+    scenario.faults = {{.at_s = 0.01, .kind = kind}};
+    EXPECT_GE(run(scenario, 1'000'000'000).end.whole_ticks, without - 1) << "fault " << kind.index();
   }
 }
 
@@ -273,7 +234,7 @@ FaultKind random_kind(SplitMix& random) {
       SwitchBounce{.axis = axis, .which = which, .period_us = us, .duration_s = duration_s},
       InterruptLost{.duration_s = duration_s},
       CoreOneStuck{},
-      SlaveError{.address = 0x43C1'0008, .count = 1},
+      SlaveError{.address = kPosition, .count = counts},
       SlowSlave{.delay_us = us, .duration_s = duration_s},
       StrayWrite{.address = 0x4280'0000, .data = 0},
       RegisterFlip{.address = 0x43C1'0014, .bit = static_cast<int>(random.below(32))},
