@@ -48,12 +48,13 @@ class FaultInjector {
   // Whether no fault stops the clock of the logic.
   [[nodiscard]] bool clock_runs() const { return !active_.any<ClockStop>(); }
 
-  // Whether no fault goes on that may change pulses or encoder lines, and no block of the motion and no encoder is as a
+  // Whether no fault changes pulses or encoder lines within a tick, and no block of the motion and no encoder is as a
   // fault has left it.
-  [[nodiscard]] bool is_quiet() const { return active_.empty() && !motion_hangs_ && lines_.is_quiet(); }
-
-  // Whether no fault waits for an access of a core.
-  [[nodiscard]] bool leaves_accesses_alone() const { return errors_.empty(); }
+  [[nodiscard]] bool leaves_ticks_alone() const {
+    return !active_.any<Estop>() && clock_runs() && !motion_hangs_ && lines_.false_encoders() == 0;
+  }
+  // Whether no fault lasts that a core could notice by its accesses and interrupts.
+  [[nodiscard]] bool leaves_cores_alone() const { return active_.empty() && errors_.empty(); }
 
   // The axes whose encoder has had a fault, one bit each: POSITION need not follow the motor any more.
   [[nodiscard]] std::uint8_t false_encoders() const { return lines_.false_encoders(); }

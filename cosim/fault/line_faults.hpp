@@ -40,7 +40,6 @@ class LineFaults {
 
   // The axes whose encoder has had a fault, one bit each: the decoder need not follow it any more.
   [[nodiscard]] std::uint8_t false_encoders() const { return false_encoders_; }
-  [[nodiscard]] bool is_quiet() const { return faults_.empty() && false_encoders_ == 0; }
 
  private:
   struct Fault {

@@ -114,7 +114,7 @@ void Simulation::move_arm(Cycles until) {
 void Simulation::begin_tick() {
   const Cycles here = now();
   if (ticks_.next_event() > here) return;
-  if (ticks_.advance(here, !wave_.is_open() && injector_.is_quiet())) drive_inputs();
+  if (ticks_.advance(here, !wave_.is_open() && injector_.leaves_ticks_alone())) drive_inputs();
 }
 
 void Simulation::advance_plant() {

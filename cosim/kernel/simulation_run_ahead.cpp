@@ -9,7 +9,7 @@ namespace armature::cosim {
 Cycles Simulation::horizon_of_others() const {
   const bool program_has_room = program_.busy() && host_.has_room(Source::kProgram);
   if (!ticks_.is_whole() || wave_.is_open() || over_ || program_has_room || !soc_->idle() || response_ ||
-      processor_->next_access() || !injector_.leaves_accesses_alone()) {
+      processor_->next_access() || !injector_.leaves_cores_alone()) {
     return now();
   }
   return std::min({ticks_.next_event(), plant_.next_event(), next_action(), end(), until_});

@@ -187,7 +187,7 @@ TEST(FaultInjector, FlipsABitOfARegister) {
   Bench bench;
   bench.injector.begin(RegisterFlip{.address = 0x4280'0000, .bit = 31}, kNow);
   EXPECT_EQ(bench.processor.flips, (std::vector<std::pair<std::uint32_t, std::uint32_t>>{{0x4280'0000, 1u << 31}}));
-  EXPECT_TRUE(bench.injector.is_quiet());
+  EXPECT_TRUE(bench.injector.leaves_cores_alone());
 }
 
 TEST(FaultInjector, FlipsABitOfTheMemoryOfTheCores) {
@@ -195,7 +195,25 @@ TEST(FaultInjector, FlipsABitOfTheMemoryOfTheCores) {
   bench.injector.begin(MemoryFlip{.symbol = "here", .offset = 8, .bit = 5}, kNow);
   EXPECT_EQ(bench.processor.memory_flips, (std::vector<std::pair<std::uint32_t, std::uint32_t>>{{0x108, 1u << 5}}));
   EXPECT_TRUE(bench.injector.explains_bus_errors());
-  EXPECT_TRUE(bench.injector.is_quiet());
+  EXPECT_TRUE(bench.injector.leaves_cores_alone());
+}
+
+TEST(FaultInjector, SaysWhetherAFaultNeedsTheEdgesOfATick) {
+  const auto leaves_ticks_alone = [](const FaultKind& kind) {
+    Bench bench;
+    bench.injector.begin(kind, kNow);
+    return bench.injector.leaves_ticks_alone();
+  };
+  for (const FaultKind& kind : std::vector<FaultKind>{
+           Estop{.duration_s = 1}, ClockStop{.duration_s = 1}, BlockHang{.clock = ClockGroup::kMotion},
+           BlockHang{.clock = ClockGroup::kEncoder}, EncoderStuck{.axis = 1, .duration_s = 1}}) {
+    EXPECT_FALSE(leaves_ticks_alone(kind)) << kind.index();
+  }
+  for (const FaultKind& kind :
+       std::vector<FaultKind>{BlockHang{.clock = ClockGroup::kIo}, SlaveError{.address = 0x4280'0000, .count = 1},
+                              UartBreak{.duration_s = 1}, InterruptLost{.duration_s = 1}}) {
+    EXPECT_TRUE(leaves_ticks_alone(kind)) << kind.index();
+  }
 }
 
 TEST(FaultInjector, StopsCoreOne) {
@@ -209,20 +227,20 @@ TEST(FaultInjector, HidesTheInterruptOfTheTimerAndNoOtherUntilItsEnd) {
   EXPECT_EQ(bench.injector.seen_interrupts(0xFF), 0xFF);
   bench.injector.begin(InterruptLost{.duration_s = 0.1}, kNow);
   EXPECT_EQ(bench.injector.seen_interrupts(0xFF), 0xFF & ~(1u << regs::soc::kAxiTimerIrq));
-  EXPECT_FALSE(bench.injector.is_quiet());
+  EXPECT_FALSE(bench.injector.leaves_cores_alone());
   bench.injector.end(InterruptLost{.duration_s = 0.1}, Cycles{});
   EXPECT_EQ(bench.injector.seen_interrupts(0xFF), 0xFF);
-  EXPECT_TRUE(bench.injector.is_quiet());
+  EXPECT_TRUE(bench.injector.leaves_cores_alone());
 }
 
 TEST(FaultInjector, HidesTheInterruptOfTheSerialLineAndNoOtherUntilItsEnd) {
   Bench bench;
   bench.injector.begin(UartOverrun{.duration_s = 0.1}, kNow);
   EXPECT_EQ(bench.injector.seen_interrupts(0xFF), 0xFF & ~(1u << regs::soc::kAxiUart16550Irq));
-  EXPECT_FALSE(bench.injector.is_quiet());
+  EXPECT_FALSE(bench.injector.leaves_cores_alone());
   bench.injector.end(UartOverrun{.duration_s = 0.1}, Cycles{});
   EXPECT_EQ(bench.injector.seen_interrupts(0xFF), 0xFF);
-  EXPECT_TRUE(bench.injector.is_quiet());
+  EXPECT_TRUE(bench.injector.leaves_cores_alone());
 }
 
 TEST(FaultInjector, AnswersSomeAccessesWithAnError) {
@@ -231,10 +249,10 @@ TEST(FaultInjector, AnswersSomeAccessesWithAnError) {
   EXPECT_TRUE(bench.injector.explains_bus_errors());
   EXPECT_FALSE(bench.injector.takes_for_error(0x4280'0004));
   EXPECT_TRUE(bench.injector.takes_for_error(0x4280'0000));
-  EXPECT_FALSE(bench.injector.is_quiet());
+  EXPECT_FALSE(bench.injector.leaves_cores_alone());
   EXPECT_TRUE(bench.injector.takes_for_error(0x4280'0000));
   EXPECT_FALSE(bench.injector.takes_for_error(0x4280'0000));
-  EXPECT_TRUE(bench.injector.is_quiet());
+  EXPECT_TRUE(bench.injector.leaves_cores_alone());
 }
 
 TEST(FaultInjector, DelaysResponsesByTheSumOfItsFaults) {
@@ -245,7 +263,7 @@ TEST(FaultInjector, DelaysResponsesByTheSumOfItsFaults) {
   bench.injector.end(SlowSlave{.delay_us = 1, .duration_s = 1}, Cycles{});
   EXPECT_EQ(bench.injector.response_delay(), Cycles{1});
   bench.injector.end(SlowSlave{.delay_us = 0.02, .duration_s = 1}, Cycles{});
-  EXPECT_TRUE(bench.injector.is_quiet());
+  EXPECT_TRUE(bench.injector.leaves_cores_alone());
 }
 
 TEST(FaultInjector, RaisesTheAlarmOfTheNamedDriveUntilItsEnd) {

@@ -22,6 +22,7 @@
 #include "controller/regs/soc_map.hpp"
 #include "cosim/kernel/scenario_soc.hpp"
 #include "cosim/kernel/simulation.hpp"
+#include "cosim/scenario/files/robot_loader.hpp"
 #include "cosim/scenario/files/scenario_loader.hpp"
 #include "cosim/time/clock.hpp"
 #include "tests/controller/support/draws.hpp"
@@ -258,12 +259,13 @@ FaultSpec random_fault(SplitMix& random) {
 }
 
 TEST(WholeTicks, FaultsOfAllKindsAndTheirConditionsGiveTheSame) {
-  std::vector<std::uint64_t> seeds(18);
+  std::vector<std::uint64_t> seeds(60);
   std::iota(seeds.begin(), seeds.end(), kWholeTicksSeed);
   for (const std::uint64_t seed : armature::test::cases(seeds)) {
     SplitMix random{seed};
     Scenario scenario = random_moves(random);
     scenario.duration_s = 0.04;
+    if (random.below(3) == 0) scenario.robot = load_robot(kShipped / "robots/vo2021_6r_dynamic.toml");
     for (std::uint32_t i = 1 + random.below(2); i > 0; --i) scenario.faults.push_back(random_fault(random));
     SCOPED_TRACE(testing::Message() << "seed " << seed << ", fault " << scenario.faults[0].kind.index());
     const Seen edges = run(scenario, 0);
