@@ -3,9 +3,8 @@
 import json
 
 from mesh_files import write_part, write_scenario
-from report_program import OURS, TINY, ReportProgram, main
+from report_program import MOVES, TINY, ReportProgram, main
 
-MOVES = OURS / "joint_move_and_circle"
 ROBOT = "abb_irb120"
 JOINTS = 6
 # Three points of the hand, in its frame [mm].
