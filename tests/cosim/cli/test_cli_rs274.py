@@ -4,6 +4,7 @@ import unittest
 
 import gcode_oracle
 import gcode_programs
+import random_gcode
 from cli_program import Program, main
 
 RANDOM = range(150)
@@ -37,7 +38,7 @@ class Rs274(Program):
         print(f"seeds {RANDOM.start} .. {RANDOM.stop - 1}")
         for seed in RANDOM:
             with self.subTest(seed=seed):
-                self.expect_equal(gcode_programs.random_program(seed))
+                self.expect_equal(random_gcode.random_program(seed))
 
     def test_both_refuse_the_same_programs(self):
         for name, text in gcode_programs.BAD.items():
