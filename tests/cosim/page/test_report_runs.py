@@ -11,6 +11,15 @@ EVIL = "</script><script>window.ran = 1</script><img src=x onerror='window.ran =
 
 
 class Report(PanelsProgram):
+    def write_scenario_with(self, program):
+        """The scenario `s` in the folder of the test, whose G-code is `s/part.ngc`."""
+        (self.folder / "s").mkdir()
+        (self.folder / "robots").symlink_to(SCENARIOS / "robots")
+        (self.folder / "s/part.ngc").write_text(program)
+        (self.folder / "s/scenario.toml").write_text(
+            'description = "d"\nrobot = "abb_irb120"\nduration_s = 0.1\nprogram = "part.ngc"\n'
+        )
+
     def test_the_address_leads_to_a_moment(self):
         every_tick = ("--set", "trace.every_ticks=1")
         out = self.show(TINY, *BRIEF, *every_tick, "--from", "0.01", "--to", "0.02")
@@ -88,12 +97,7 @@ class Report(PanelsProgram):
         self.assertEqual(move["to"], fault["from"])
 
     def test_a_program_is_a_lane_and_names_its_moves(self):
-        (self.folder / "s").mkdir()
-        (self.folder / "robots").symlink_to(SCENARIOS / "robots")
-        (self.folder / "s/part.ngc").write_text("G21 G91 F6000\n(MSG, cut it)\nG1 X1\nM2\n")
-        (self.folder / "s/scenario.toml").write_text(
-            'description = "d"\nrobot = "abb_irb120"\nduration_s = 0.1\nprogram = "part.ngc"\n'
-        )
+        self.write_scenario_with("G21 G91 F6000\n(MSG, cut it)\nG1 X1\nM2\n")
         self.show(self.folder / "s")
         text = self.page.run(
             "report.lanes.lanes.flatMap(([name, items]) => items.map(i => name + ' ' + i.label)).join('; ')"
@@ -180,12 +184,7 @@ class Report(PanelsProgram):
             self.assertLessEqual(self.page.run("document.documentElement.scrollWidth"), width)
 
     def test_a_program_that_has_changed_since_the_run_is_not_shown(self):
-        (self.folder / "s").mkdir()
-        (self.folder / "robots").symlink_to(SCENARIOS / "robots")
-        (self.folder / "s/part.ngc").write_text("G21 G91 F6000\nG1 X1\nM2\n")
-        (self.folder / "s/scenario.toml").write_text(
-            'description = "d"\nrobot = "abb_irb120"\nduration_s = 0.1\nprogram = "part.ngc"\n'
-        )
+        self.write_scenario_with("G21 G91 F6000\nG1 X1\nM2\n")
         self.armature("run", "s", "--out", "x")
         self.armature("report", "x")
         self.open("x/report.html")
