@@ -27,6 +27,15 @@ std::vector<std::int64_t> observe(Emission& emission, std::uint16_t sequence, st
 
 using Ended = std::vector<std::int64_t>;
 
+// Five pulses leave in this tick, six wait under the number 2.
+Emission with_waiting_set() {
+  Emission emission;
+  emission.committed(all(5), 1);
+  (void)observe(emission, 1, 0);
+  emission.committed(all(6), 2);
+  return emission;
+}
+
 TEST(Emission, ASetIsEmittedInTheTickAfterItsTrigger) {
   Emission emission;
   emission.committed(all(5), 1);
@@ -49,18 +58,12 @@ TEST(Emission, ALateSetIsEmittedOneTickLater) {
 }
 
 TEST(Emission, OversleptTicksAreEmpty) {
-  Emission emission;
-  emission.committed(all(5), 1);
-  (void)observe(emission, 1, 0);
-  emission.committed(all(6), 2);
+  Emission emission = with_waiting_set();
   EXPECT_EQ(observe(emission, 2, 3), (Ended{5, 6, 0, 0}));
 }
 
 TEST(Emission, IsUncertainAfterASetThatNobodyKnows) {
-  Emission emission;
-  emission.committed(all(5), 1);
-  (void)observe(emission, 1, 0);
-  emission.committed(all(6), 2);
+  Emission emission = with_waiting_set();
   EXPECT_FALSE(emission.uncertain());
   EXPECT_EQ(observe(emission, 77, 0), Ended{5});  // it has replaced the set of 6
   EXPECT_TRUE(emission.uncertain());
@@ -81,10 +84,7 @@ TEST(Emission, NothingEndsWithoutATrigger) {
 }
 
 TEST(Emission, ALostSetDoesNotWaitAndMakesItUncertain) {
-  Emission emission;
-  emission.committed(all(5), 1);
-  (void)observe(emission, 1, 0);
-  emission.committed(all(6), 2);
+  Emission emission = with_waiting_set();
   EXPECT_EQ(observe(emission, 1, 1), Ended{5});
   EXPECT_FALSE(emission.is_waiting());
   EXPECT_TRUE(emission.uncertain());
@@ -93,10 +93,7 @@ TEST(Emission, ALostSetDoesNotWaitAndMakesItUncertain) {
 }
 
 TEST(Emission, ASetUnderTheNumberOfTheOneBeforeHasEndedItsTick) {
-  Emission emission;
-  emission.committed(all(5), 1);
-  (void)observe(emission, 1, 0);
-  emission.committed(all(6), 2);
+  Emission emission = with_waiting_set();
   EXPECT_EQ(observe(emission, 1, 0), Ended{5});
   EXPECT_FALSE(emission.is_waiting());
   EXPECT_TRUE(emission.uncertain());
